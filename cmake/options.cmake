@@ -1,0 +1,28 @@
+# Compiler and linker options of everything that the project builds: the interface target `atelier_options`.
+add_library(atelier_options INTERFACE)
+target_compile_options(atelier_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+  -ffp-contract=off)  # the same arithmetic with and without fused multiply-add
+if(ATELIER_WERROR)
+  target_compile_options(atelier_options INTERFACE -Werror)
+endif()
+if(ATELIER_SANITIZE)
+  target_compile_options(atelier_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                                   -fno-omit-frame-pointer)
+  target_link_options(atelier_options INTERFACE -fsanitize=address,undefined)
+endif()
+target_include_directories(atelier_options INTERFACE ${PROJECT_SOURCE_DIR}/common)
+target_compile_definitions(atelier_options INTERFACE GLM_FORCE_SILENT_WARNINGS)
+
+# mold links in a fiftieth of the default linker's time.
+find_program(ATELIER_MOLD mold)
+mark_as_advanced(ATELIER_MOLD)
+if(ATELIER_MOLD)
+  target_link_options(atelier_options INTERFACE -fuse-ld=mold)
+endif()
+
+# A folder of common/: an object library that ends up in libatelier.so (see common/CMakeLists.txt).
+function(atelier_part name)
+  add_library(atelier_${name} OBJECT ${ARGN})
+  target_link_libraries(atelier_${name} PUBLIC atelier_options atelier_headers)
+endfunction()

@@ -1,0 +1,33 @@
+// The files through which a step program answers a judge that does not trust it: fixed-size raw pixels, plain numbers.
+//
+//   DIR/NAME.pixels   "ATELIER1", width and height (32-bit little-endian), then width*height RGBA floats, row 0 on top
+//   DIR/NAME.values   {"results": [[numbers of input 0], ...]}; non-finite ones as "nan", "inf", "-inf"
+//   DIR/NAME.error    one sentence: the program itself refused the case (the student's function threw, say)
+//
+// Each is written beside and renamed: what is there is whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "image/image.hpp"
+
+namespace atelier {
+
+void write_pixels(const std::filesystem::path& file, const Image& image);
+void write_values(const std::filesystem::path& file, const std::vector<Numbers>& results);
+void write_case_error(const std::filesystem::path& file, const std::string& sentence);
+
+/// Reads what an untrusted program wrote: opens without following links or blocking, takes regular files only, and
+/// exactly the size that `expected` pixels need. Throws Error saying which of these failed.
+Image read_pixels(const std::filesystem::path& file, glm::ivec2 expected);
+
+/// At most `limit` bytes of JSON, numbers only. Throws Error.
+std::vector<Numbers> read_values(const std::filesystem::path& file, std::size_t limit = 1 << 20);
+
+/// The first line, at most 500 bytes, control characters replaced. Empty where there is no such file.
+std::string read_case_error(const std::filesystem::path& file);
+
+}  // namespace atelier

@@ -1,0 +1,51 @@
+// The typed settings of a step: every speed/accuracy choice that a scene, a case or a command line may make.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace atelier {
+
+using SettingValue = std::variant<bool, int, double, std::string>;  ///< string: the name of a choice
+
+/// One setting that a step program offers.
+struct SettingSpec {
+  std::string name;                  ///< "shadow.resolution": group, dot, name
+  SettingValue fallback;             ///< the default; its type is the setting's type
+  double low = 0, high = 0;          ///< closed range of an int or a real
+  std::vector<std::string> choices;  ///< of a choice
+  std::string help;                  ///< one sentence with the unit: "depth texels along a side"
+};
+
+/// "on, off", "32..8192" or "none, constant, slope": what a value of this setting may be, in words.
+std::string allowed_values(const SettingSpec& spec);
+
+/// Values for a list of specs: all at their defaults when made, changed one by one, never out of range.
+class Settings {
+ public:
+  Settings() = default;
+  explicit Settings(std::vector<SettingSpec> specs);
+
+  /// Sets from text as on a command line ("2048", "off", "slope"). Throws Error naming the setting, the value and what is
+  /// allowed; an unknown name is answered with the nearest known one.
+  void set(std::string_view name, std::string_view text);
+  void set(std::string_view name, const SettingValue& value);
+
+  bool flag(std::string_view name) const;
+  int integer(std::string_view name) const;
+  double real(std::string_view name) const;
+  const std::string& choice(std::string_view name) const;
+
+  const std::vector<SettingSpec>& specs() const { return specs_; }
+  const SettingValue& value(std::string_view name) const;
+
+ private:
+  const SettingSpec& spec(std::string_view name) const;
+  std::vector<SettingSpec> specs_;
+  std::map<std::string, SettingValue, std::less<>> values_;
+};
+
+}  // namespace atelier

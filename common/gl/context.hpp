@@ -1,0 +1,36 @@
+// Where OpenGL comes from: a software renderer in memory, a GPU without a display, or a window.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "gl/gl.hpp"
+
+namespace atelier {
+
+enum class ContextKind {
+  osmesa,  ///< Mesa's off-screen renderer: the default without a window; gone from Mesa 25.1 on
+  egl,     ///< EGL without a surface: software, or a GPU where there is one
+  window,  ///< GLFW, hidden
+};
+
+/// A context of OpenGL 3.3 core or newer without a window, current from its making to its end on the making thread.
+/// There is no default framebuffer worth drawing to: draw into targets.
+class HeadlessContext {
+ public:
+  virtual ~HeadlessContext() = default;
+  virtual Gl& gl() = 0;
+  virtual ContextKind kind() const = 0;
+};
+
+/// Throws Error where the library or the driver is missing, saying which package brings it.
+std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind);
+
+/// OSMesa where it is installed, EGL otherwise.
+std::unique_ptr<HeadlessContext> make_headless_context();
+
+std::string to_string(ContextKind kind);
+/// Throws Error naming the three kinds.
+ContextKind parse_context_kind(const std::string& text);
+
+}  // namespace atelier

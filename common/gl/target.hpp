@@ -1,0 +1,46 @@
+// A set of textures to draw into, and the way back to an Image.
+#pragma once
+
+#include <optional>
+
+#include "gl/objects.hpp"
+
+namespace atelier {
+
+enum class ColourFormat { none, rgba8, rgba16f, rgba32f };
+enum class DepthFormat { none, depth16, depth24, depth32f, depth24_stencil8, depth32f_stencil8 };
+
+struct TargetSpec {
+  int width = 1, height = 1;  ///< pixels, 1..16384
+  ColourFormat colour = ColourFormat::rgba32f;
+  DepthFormat depth = DepthFormat::depth24;
+  bool operator==(const TargetSpec&) const = default;
+};
+
+std::size_t bytes(const TargetSpec& spec);  ///< of all attachments together
+
+/// A framebuffer with a colour texture (nearest filtering, clamped) and a depth texture as `spec` asks. Whole when made;
+/// throws Error naming the size and the formats where the driver refuses.
+class Target {
+ public:
+  Target(Gl& gl, const TargetSpec& spec);
+  const TargetSpec& spec() const { return spec_; }
+  GLuint framebuffer() const { return framebuffer_.id(); }
+  GLuint colour_texture() const { return colour_.id(); }
+  GLuint depth_texture() const { return depth_.id(); }
+
+  /// Binds it for drawing and sets the viewport to all of it.
+  void bind(Gl& gl) const;
+
+  /// The colour as floats, turned so that row 0 is the top. NaN and infinity come through.
+  Image read_colour(Gl& gl) const;
+  /// Depth 0..1 in red, green and blue.
+  Image read_depth(Gl& gl) const;
+
+ private:
+  TargetSpec spec_;
+  GlTexture colour_, depth_;
+  GlFramebuffer framebuffer_;
+};
+
+}  // namespace atelier
