@@ -147,11 +147,11 @@ class Gl {
   class Function<Result (*)(Parameters...)> {
    public:
     Result operator()(Parameters... parameters) const {
-      if (count) count(*counts, static_cast<std::int64_t>(0), parameters...);
+      if (count) count(*counts, parameters...);
       return call(parameters...);
     }
     Result (*call)(Parameters...) = nullptr;
-    void (*count)(GlCounts&, std::int64_t, Parameters...) = nullptr;
+    void (*count)(GlCounts&, Parameters...) = nullptr;
     GlCounts* counts = nullptr;
   };
 

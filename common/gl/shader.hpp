@@ -12,9 +12,9 @@
 
 namespace atelier {
 
-/// Where shader files are looked for, first match wins: the student's folder before the solution's is how one
-/// implementation stands in for another.
-using SearchPath = std::vector<std::filesystem::path>;
+/// Finds the file behind an include's name ("01-transforms/transforms.glsl"), or returns an empty path. Which folder
+/// answers first, the student's or the solution's, is how one implementation stands in for another.
+using FindFile = std::function<std::filesystem::path(const std::string& name)>;
 
 /// #define NAME VALUE before the first line; ordered, so that equal sets give equal text.
 using Defines = std::map<std::string, std::string>;
@@ -25,13 +25,13 @@ struct ShaderSource {
   std::vector<std::filesystem::path> files;  ///< by the source-string number that the #line directives carry
 };
 
-/// Reads `name` along `search`, follows #include "name" lines (each file once), and puts `#version 330 core` and the
+/// Reads what `find` gives for `name`, follows #include "name" lines (each file once), and puts `#version 330 core` and the
 /// defines in front. Throws Error naming the file and the line of an include that cannot be found, of a #version or
 /// #extension line (the assembler owns both), or of includes nested deeper than 32.
-ShaderSource assemble_shader(const SearchPath& search, const std::string& name, const Defines& defines);
+ShaderSource assemble_shader(const FindFile& find, const std::string& name, const Defines& defines);
 
 /// The same over a text that is not a file; `label` stands for its name in messages.
-ShaderSource assemble_shader_text(const SearchPath& search, const std::string& text, const std::string& label,
+ShaderSource assemble_shader_text(const FindFile& find, const std::string& text, const std::string& label,
                                   const Defines& defines);
 
 /// A shader that the driver refused. what() reads "blinn_phong.glsl:12: error: ..." a line each, the author's file and line.
