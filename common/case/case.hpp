@@ -42,18 +42,20 @@ struct CaseCamera {
 
 /// What a step program is asked to do. `probe` set: call that function on each of `inputs`. Otherwise: draw.
 struct Case {
-  std::string name;     ///< [a-z0-9-]+, at most 64; names the files that the program writes
-  std::string scene;    ///< a built-in scene's name, or a path to a .gltf, .glb or .obj file
+  std::string name;   ///< [a-z0-9-]+, at most 64; names the files that the program writes
+  std::string scene;  ///< a built-in scene's name, or a path to a .gltf, .glb or .obj file
   CaseCamera camera;
-  glm::ivec2 size{256, 256};                    ///< pixels, 1..4096 a side
-  std::map<std::string, SettingValue> settings; ///< what differs from the defaults
-  std::string output = "colour";                ///< "colour", or an intermediate that the program lists
-  std::string probe;                            ///< the name of a probe that the program lists, or empty
-  std::vector<Arguments> inputs;                ///< of the probe
+  glm::ivec2 size{256, 256};                     ///< pixels, 1..4096 a side
+  std::map<std::string, SettingValue> settings;  ///< what differs from the defaults
+  std::string output = "colour";                 ///< "colour", or an intermediate that the program lists
+  std::string probe;                             ///< the name of a probe that the program lists, or empty
+  std::vector<Arguments> inputs;                 ///< of the probe
 };
 
-/// Reads one case from its JSON object; ignores the members named in `judged`, and refuses every other that it does not
-/// know. Throws Error with `where` and the field ("cases.json: case 'sphere': size: ...").
+/// Reads one case from its JSON object; ignores judged_members(), and refuses every other member that it does not know.
+/// A picture needs `name` and `scene`; a probe needs `name`, `probe` and `inputs` and has no scene, camera, size or
+/// output. An input's value is a number, true, false, "nan", "inf", "-inf", or lists of these, flattened in order.
+/// Throws Error with `where` and the field: "cases.json: case 'sphere': size: ...".
 Case parse_case(const nlohmann::json& object, const std::string& where);
 
 /// The JSON that parse_case reads: what the judge hands to the program.
@@ -62,7 +64,16 @@ nlohmann::json to_json(const Case& c);
 /// Members of a case object that only the judge reads (points, title, tolerance ...).
 const std::vector<std::string>& judged_members();
 
-/// All cases in a file: {"cases": [...]}, at least one, no name twice. Throws Error naming the file and the field.
+/// `object` with the members of `defaults` that it does not have itself; `settings` and `camera` are completed member
+/// by member. A probe takes no picture members from the defaults.
+nlohmann::json with_defaults(const nlohmann::json& defaults, const nlohmann::json& object, const std::string& where);
+
+/// The case objects of a document {"schema": 1, "step", "title", "defaults": {...}, "cases": [...]}, each completed
+/// from `defaults`; at least one. Throws Error naming the member.
+std::vector<nlohmann::json> case_objects(const nlohmann::json& document, const std::string& where);
+
+/// All cases in a file, of whose members only `cases` must be there; no name twice. The judge's case files can be read
+/// too: what belongs to the judge is skipped. Throws Error naming the file, the case and the field.
 std::vector<Case> read_cases(const std::filesystem::path& file);
 
 }  // namespace atelier

@@ -24,10 +24,11 @@ void write_case_error(const std::filesystem::path& file, const std::string& sent
 /// exactly the size that `expected` pixels need. Throws Error saying which of these failed.
 Image read_pixels(const std::filesystem::path& file, glm::ivec2 expected);
 
-/// At most `limit` bytes of JSON, numbers only. Throws Error.
+/// At most `limit` bytes of JSON in the shape above, opened as carefully. Throws Error.
 std::vector<Numbers> read_values(const std::filesystem::path& file, std::size_t limit = 1 << 20);
 
-/// The first line, at most 500 bytes, control characters replaced. Empty where there is no such file.
+/// The first line, at most 500 bytes, printable (case/printable.hpp). Empty where there is no such file; where it
+/// cannot be read as a regular file, the sentence says so. Never throws Error: what is read is an error already.
 std::string read_case_error(const std::filesystem::path& file);
 
 }  // namespace atelier

@@ -1,4 +1,5 @@
-// Which code stands behind each step: the student's, the solution's, a mistake's. Decided by the order of a search path.
+// Which code stands behind each step: the student's, the solution's, a mistake's. Decided by the order of a search
+// path.
 #pragma once
 
 #include <filesystem>
@@ -19,11 +20,11 @@ class Implementations {
   Implementations() = default;
   explicit Implementations(std::vector<Root> roots) : roots_(std::move(roots)) {}
 
-  /// From "DIR:STEP=DIR:DIR". Throws Error naming a folder that does not exist.
+  /// From "DIR:STEP=DIR:DIR"; empty parts are skipped. Throws Error naming a folder that does not exist.
   static Implementations parse(const std::string& text);
   std::string to_string() const;  ///< the text that parse reads
 
-  /// The path behind "NN-name/file", or an empty path.
+  /// The path behind "NN-name/file", or an empty path; absolute names and names with ".." are never found.
   std::filesystem::path find(const std::string& name) const;
   /// The folder that find answers from.
   const std::vector<Root>& roots() const { return roots_; }

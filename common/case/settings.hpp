@@ -27,13 +27,18 @@ std::string allowed_values(const SettingSpec& spec);
 class Settings {
  public:
   Settings() = default;
+  /// Throws Error where a name is declared twice or a default is outside its own range or choices.
   explicit Settings(std::vector<SettingSpec> specs);
 
-  /// Sets from text as on a command line ("2048", "off", "slope"). Throws Error naming the setting, the value and what is
-  /// allowed; an unknown name is answered with the nearest known one.
+  /// Sets from text as on a command line ("2048", "off", "slope"). Throws Error naming the setting, the value and what
+  /// is allowed; an unknown name is answered with the nearest known one.
   void set(std::string_view name, std::string_view text);
+  void set(std::string_view name, const char* text) { set(name, std::string_view(text)); }
+  void set(std::string_view name, const std::string& text) { set(name, std::string_view(text)); }
+  /// Sets from a typed value, as from a case file: a whole number serves for a real, nothing else converts.
   void set(std::string_view name, const SettingValue& value);
 
+  /// Each throws Error for an unknown name and for a setting of another type.
   bool flag(std::string_view name) const;
   int integer(std::string_view name) const;
   double real(std::string_view name) const;

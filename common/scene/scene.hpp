@@ -121,6 +121,10 @@ struct Box3 {
   void add(const glm::dvec3& point) { low = glm::min(low, point), high = glm::max(high, point); }
 };
 
+/// All node indices, every parent before its children, otherwise in the order given. Throws atelier::Error naming the node
+/// at a cycle or a parent out of range. Takes time linear in the number of nodes, and no recursion.
+std::vector<int> parents_first(const std::vector<Node>& nodes);
+
 /// World matrices of all nodes, in double precision: the truth beside which step 01's own are judged, and what the
 /// importers, bounds and the oracle use. Throws atelier::Error at a cycle.
 std::vector<glm::dmat4> world_matrices_exact(const std::vector<Node>& nodes);

@@ -1,0 +1,43 @@
+#include "app/cases.hpp"
+
+#include <unistd.h>
+
+
+#include "base/error.hpp"
+#include "case/exchange.hpp"
+
+namespace atelier {
+
+namespace {
+
+void tell(std::optional<int> progress, const std::string& line) {
+  if (!progress) return;
+  // A judge that has gone away reads nothing any more; there is nobody left to answer for.
+  if (write(*progress, line.data(), line.size()) != ssize_t(line.size())) _exit(exit_usage);
+}
+
+void answer(Painter& painter, const Case& c, const std::filesystem::path& folder) {
+  try {
+    if (c.probe.empty())
+      write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
+    else
+      write_values(folder / (c.name + ".values"), painter.probe(c));
+  } catch (const std::exception& error) {
+    write_case_error(folder / (c.name + ".error"), error.what());
+  } catch (...) {
+    write_case_error(folder / (c.name + ".error"), "something was thrown that is no std::exception");
+  }
+}
+
+}  // namespace
+
+void answer_cases(Painter& painter, const std::filesystem::path& file, const std::filesystem::path& folder,
+                  std::optional<int> progress) {
+  for (const Case& c : read_cases(file)) {
+    tell(progress, "begin " + c.name + "\n");
+    answer(painter, c, folder);
+    tell(progress, "end " + c.name + "\n");
+  }
+}
+
+}  // namespace atelier

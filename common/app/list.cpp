@@ -1,0 +1,71 @@
+#include "app/list.hpp"
+
+#include <fmt/core.h>
+
+#include <nlohmann/json.hpp>
+
+namespace atelier {
+
+namespace {
+
+nlohmann::json value_json(const SettingValue& value) {
+  return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
+}
+
+std::string value_text(const SettingValue& value) {
+  struct {
+    std::string operator()(bool v) const { return v ? "on" : "off"; }
+    std::string operator()(int v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{}", v); }
+    std::string operator()(const std::string& v) const { return v; }
+  } print;
+  return std::visit(print, value);
+}
+
+const char* encoding_name(OutputEncoding encoding) {
+  switch (encoding) {
+    case OutputEncoding::linear_colour: return "linear colour";
+    case OutputEncoding::encoded_colour: return "encoded colour";
+    case OutputEncoding::data: return "data";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string list_as_text(const StepDescription& description) {
+  std::string text = fmt::format("{}: {}\n\nScenes (--scene)\n", description.name, description.title);
+  for (const std::string& scene : description.scenes) text += fmt::format("  {}\n", scene);
+  text += "  or a .gltf, .glb or .obj file\n\nSettings (--set NAME=VALUE)\n";
+  for (const SettingSpec& spec : description.settings)
+    text += fmt::format("  {:<24} {} (default {})\n  {:<24}   {}\n", spec.name, allowed_values(spec),
+                        value_text(spec.fallback), "", spec.help);
+  text += "\nOutputs (--output)\n";
+  for (const OutputSpec& output : description.outputs)
+    text += fmt::format("  {:<24} {}; {}\n", output.name, output.help, encoding_name(output.encoding));
+  if (!description.probes.empty()) text += "\nProbes (functions that cases call)\n";
+  for (const auto& [name, probe] : description.probes) text += fmt::format("  {}\n", name);
+  return text;
+}
+
+std::string list_as_json(const StepDescription& description) {
+  nlohmann::json json = {{"name", description.name}, {"title", description.title}, {"scenes", description.scenes}};
+  json["settings"] = nlohmann::json::array();
+  for (const SettingSpec& spec : description.settings) {
+    nlohmann::json setting = {{"name", spec.name},
+                              {"default", value_json(spec.fallback)},
+                              {"allowed", allowed_values(spec)},
+                              {"help", spec.help}};
+    if (!spec.choices.empty()) setting["choices"] = spec.choices;
+    if (spec.high > spec.low) setting["range"] = {spec.low, spec.high};
+    json["settings"].push_back(setting);
+  }
+  json["outputs"] = nlohmann::json::array();
+  for (const OutputSpec& output : description.outputs)
+    json["outputs"].push_back({{"name", output.name}, {"encoding", encoding_name(output.encoding)}, {"help", output.help}});
+  json["probes"] = nlohmann::json::array();
+  for (const auto& [name, probe] : description.probes) json["probes"].push_back(name);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace atelier

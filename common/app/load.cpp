@@ -1,0 +1,72 @@
+#include "app/load.hpp"
+
+#include <cxxabi.h>
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <memory>
+
+#include "base/error.hpp"
+#include "base/module.hpp"
+
+namespace atelier {
+
+namespace {
+
+const std::filesystem::path project_root = ATELIER_ROOT, build_root = ATELIER_BUILD;
+
+/// "atelier::look_at(...)" from "_ZN7atelier7look_at...", or the name as it is.
+std::string demangle(const std::string& symbol) {
+  int status = 0;
+  const std::unique_ptr<char, void (*)(void*)> plain(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
+                                                     std::free);
+  return status == 0 ? plain.get() : symbol;
+}
+
+/// The loader says "FILE: undefined symbol: _ZN..."; a student wants to read which function is missing.
+std::string explain_loader(const std::string& words, const std::string& step) {
+  const std::string key = "undefined symbol: ";
+  const auto at = words.find(key);
+  if (at == std::string::npos) return fmt::format("{}: cannot be loaded: {}", step, words);
+  const std::string symbol = words.substr(at + key.size(), words.find_first_of(" ,()", at + key.size()) - at - key.size());
+  return fmt::format(
+      "{}: no step defines the function `{}`, which the contract declares: check its name, its parameters and its namespace",
+      step, demangle(symbol));
+}
+
+void open_library(const std::filesystem::path& file, const std::string& step) {
+  if (!dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL)) throw Error(explain_loader(dlerror(), step));
+}
+
+}  // namespace
+
+Implementations default_implementations(const std::string& step) {
+  const auto mine = build_root / "implementations" / "mine", solutions = build_root / "implementations" / "solutions";
+  std::vector<Implementations::Root> roots;
+  for (const Implementations::Root& root :
+       {Implementations::Root{mine, step}, {project_root / "steps", step}, {solutions, ""},
+        {project_root / "solutions", ""}, {mine, ""}, {project_root / "steps", ""}})
+    if (std::filesystem::is_directory(root.folder)) roots.push_back(root);
+  return Implementations(std::move(roots));
+}
+
+StepProgram& load_step(const StepIdentity& identity, const Implementations& implementations) {
+  std::vector<std::string> steps = identity.uses;
+  steps.push_back(identity.name);
+  for (const std::string& step : steps) {
+    const auto library = implementations.find(step + "/libstep.so");
+    if (library.empty())
+      throw Error(fmt::format("{}: its code is not built yet: run ./atelier check {}", step, step.substr(0, 2)));
+    open_library(library, step);
+  }
+  using Make = StepProgram* (*)();
+  try {
+    const auto make = reinterpret_cast<Make>(module_symbol("program-" + identity.name, "atelier_step_program"));
+    return *make();
+  } catch (const Error& error) {
+    throw Error(explain_loader(error.what(), identity.name));
+  }
+}
+
+}  // namespace atelier

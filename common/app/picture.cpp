@@ -1,0 +1,72 @@
+#include "app/picture.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace atelier {
+
+Camera apply(const CaseCamera& change, Camera camera) {
+  if (change.eye) camera.eye = *change.eye;
+  if (change.target) camera.target = *change.target;
+  if (change.up) camera.up = glm::vec3(*change.up);
+  if (change.fov_y_degrees) camera.fov_y = float(glm::radians(*change.fov_y_degrees));
+  if (change.near) camera.near = float(*change.near);
+  if (change.far) camera.far = float(*change.far);
+  return camera;
+}
+
+Painter::Painter(StepProgram& program, HeadlessContext& context, const Implementations& implementations)
+    : program_(program), context_(context) {
+  program_.open(context_.gl(), implementations);
+}
+
+Settings Painter::settings_for(const Case& c) const {
+  Settings settings(program_.description().settings);
+  for (const auto& [name, value] : c.settings) settings.set(name, value);
+  return settings;
+}
+
+const Target& Painter::target_for(const TargetSpec& spec) {
+  if (!target_ || target_->spec() != spec) {
+    target_.reset();  // free the old one before the new one is made
+    target_.emplace(gl(), spec);
+  }
+  return *target_;
+}
+
+Image Painter::paint(const Case& picture, double time) {
+  const StepDescription& description = program_.description();
+  const auto& outputs = description.outputs;
+  if (std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == picture.output; })) {
+    std::vector<std::string> names;
+    for (const OutputSpec& output : outputs) names.push_back(output.name);
+    throw Error(fmt::format("output '{}': {} offers {}", picture.output, description.name, fmt::join(names, ", ")));
+  }
+  const Settings settings = settings_for(picture);
+  program_.load(picture.scene.empty() ? description.scenes.at(0) : picture.scene, settings);
+  const Target& target = target_for({.width = picture.size.x,
+                                     .height = picture.size.y,
+                                     .colour = ColourFormat::rgba32f,
+                                     .depth = program_.depth_format(settings)});
+  program_.draw({target, apply(picture.camera, program_.camera()), picture.output, time}, settings);
+  return target.read_colour(gl());
+}
+
+std::vector<Numbers> Painter::probe(const Case& values) {
+  const auto& probes = program_.description().probes;
+  const auto found = probes.find(values.probe);
+  if (found == probes.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, function] : probes) names.push_back(name);
+    throw Error(fmt::format("probe '{}': {} offers {}", values.probe, program_.description().name, fmt::join(names, ", ")));
+  }
+  std::vector<Numbers> results;
+  for (const Arguments& arguments : values.inputs) results.push_back(found->second(gl(), arguments));
+  return results;
+}
+
+}  // namespace atelier

@@ -1,0 +1,37 @@
+// Draws single pictures with a step program, without a window.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "app/step_program.hpp"
+#include "gl/context.hpp"
+
+namespace atelier {
+
+/// The scene's camera with what a case changes of it.
+Camera apply(const CaseCamera& change, Camera camera);
+
+class Painter {
+ public:
+  /// Opens `program` on `context`; both must outlive the painter.
+  Painter(StepProgram& program, HeadlessContext& context, const Implementations& implementations);
+
+  /// Draws a picture case. Throws Error where a scene, a setting or an output is unknown.
+  Image paint(const Case& picture, double time = 0);
+
+  /// Calls a probe on each of the case's inputs.
+  std::vector<Numbers> probe(const Case& values);
+
+  Gl& gl() { return context_.gl(); }
+
+ private:
+  Settings settings_for(const Case& c) const;
+  const Target& target_for(const TargetSpec& spec);
+
+  StepProgram& program_;
+  HeadlessContext& context_;
+  std::optional<Target> target_;
+};
+
+}  // namespace atelier

@@ -1,0 +1,72 @@
+#include "app/scene_program.hpp"
+
+#include <algorithm>
+
+#include "scene_import/scene_import.hpp"
+
+namespace atelier {
+
+namespace {
+
+bool lists(const StepDescription& description, const std::string& setting) {
+  return std::any_of(description.settings.begin(), description.settings.end(),
+                     [&](const SettingSpec& spec) { return spec.name == setting; });
+}
+
+bool is_model_file(const std::string& name) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  return extension == ".gltf" || extension == ".glb" || extension == ".obj";
+}
+
+}  // namespace
+
+std::vector<SettingSpec> view_settings() {
+  return {
+      {.name = "depth.format",
+       .fallback = std::string("24"),
+       .choices = {"16", "24", "32f", "32f-reversed"},
+       .help = "how depth is stored; reversed: 1 at the near plane, which spends a float's precision where it is needed"},
+      {.name = "world.camera_relative",
+       .fallback = false,
+       .help = "move the world so that the eye is its origin, in double precision, before anything is made a float"},
+      {.name = "draw.wireframe", .fallback = false, .help = "edges instead of faces"},
+  };
+}
+
+SceneProgram::SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features,
+                           MakeScene make_scene)
+    : description_(std::move(description)),
+      transforms_(std::move(transforms)),
+      make_features_(std::move(features)),
+      make_scene_(std::move(make_scene)) {
+  description_.outputs.push_back({"depth", OutputEncoding::data, "depth as it is stored: 0 to 1"});
+  description_.outputs.push_back({"normal", OutputEncoding::data, "the normal n in world space, as n/2 + 1/2"});
+  description_.outputs.push_back({"position", OutputEncoding::data, "the position in world space, metres"});
+  description_.outputs.push_back({"texcoord", OutputEncoding::data, "the texture coordinate as (u, v, 0)"});
+}
+
+void SceneProgram::open(Gl& gl, const Implementations& implementations) {
+  renderer_ = std::make_unique<Renderer>(gl, implementations, transforms_, make_features_());
+}
+
+void SceneProgram::load(const std::string& scene, const Settings& settings) {
+  scene_ = is_model_file(scene) ? import_scene(scene) : make_scene_(scene, settings);
+  renderer_->configure(settings);
+  renderer_->prepare(scene_);
+}
+
+DepthFormat SceneProgram::depth_format(const Settings& settings) const {
+  if (!lists(description_, "depth.format")) return DepthFormat::depth24;
+  const std::string& format = settings.choice("depth.format");
+  return format == "16" ? DepthFormat::depth16 : format == "24" ? DepthFormat::depth24 : DepthFormat::depth32f;
+}
+
+void SceneProgram::draw(const Frame& frame, const Settings& settings) {
+  View view{.camera = frame.camera, .output = frame.output};
+  if (lists(description_, "depth.format")) view.reversed_depth = settings.choice("depth.format") == "32f-reversed";
+  if (lists(description_, "world.camera_relative")) view.camera_relative = settings.flag("world.camera_relative");
+  if (lists(description_, "draw.wireframe")) view.wireframe = settings.flag("draw.wireframe");
+  renderer_->render(view, frame.target);
+}
+
+}  // namespace atelier

@@ -1,0 +1,41 @@
+// A step program that draws scenes with features: what nearly every step is.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "app/step_program.hpp"
+#include "render/renderer.hpp"
+
+namespace atelier {
+
+class SceneProgram : public StepProgram {
+ public:
+  using MakeFeatures = std::function<std::vector<std::unique_ptr<Feature>>()>;
+  using MakeScene = std::function<Scene(const std::string& name, const Settings& settings)>;
+
+  /// The description's outputs are completed by the renderer's own.
+  SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene);
+
+  const StepDescription& description() const override { return description_; }
+  void open(Gl& gl, const Implementations& implementations) override;
+  void load(const std::string& scene, const Settings& settings) override;
+  Camera camera() const override { return scene_.camera; }
+  DepthFormat depth_format(const Settings& settings) const override;
+  void draw(const Frame& frame, const Settings& settings) override;
+  std::string reload_changed_shaders() override { return renderer_->reload_changed_shaders(); }
+
+ private:
+  StepDescription description_;
+  TransformFunctions transforms_;
+  MakeFeatures make_features_;
+  MakeScene make_scene_;
+  Scene scene_;
+  std::unique_ptr<Renderer> renderer_;
+};
+
+/// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe". A program
+/// that lists them gets their effect.
+std::vector<SettingSpec> view_settings();
+
+}  // namespace atelier

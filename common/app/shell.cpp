@@ -1,0 +1,86 @@
+#include "app/shell.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "app/cases.hpp"
+#include "app/command_line.hpp"
+#include "app/list.hpp"
+#include "app/picture.hpp"
+#include "app/record.hpp"
+#include "app/window.hpp"
+#include "base/error.hpp"
+#include "image_io/image_io.hpp"
+
+namespace atelier {
+
+namespace {
+
+void print_counts(const GlCounts& counts) {
+  fmt::print(stderr,
+             "draws {}  triangles {}  program switches {}  programs linked {}  clears {}  texture bytes {}\n",
+             counts.draws, counts.triangles, counts.program_switches, counts.programs_linked, counts.clears,
+             counts.texture_bytes);
+}
+
+OutputEncoding encoding_of(const StepDescription& description, const std::string& output) {
+  for (const OutputSpec& spec : description.outputs)
+    if (spec.name == output) return spec.encoding;
+  return OutputEncoding::linear_colour;
+}
+
+/// Everything that needs pictures but no window.
+int draw_headless(StepProgram& program, const Implementations& implementations, CommandLine& line) {
+  const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
+  Painter painter(program, *context, implementations);
+  if (!line.cases.empty()) {
+    answer_cases(painter, line.cases, line.out, line.progress);
+    return exit_ok;
+  }
+  for (const auto& [name, text] : line.settings) {
+    Settings checked(program.description().settings);
+    checked.set(name, std::string_view(text));
+    line.picture.settings[name] = checked.value(name);
+  }
+  if (!line.record.empty()) {
+    painter.paint(line.picture);  // loads the scene, whose camera the turn starts from
+    record_turn(painter, apply(line.picture.camera, program.camera()), line.picture, line.record, line.frames);
+  } else {
+    const Image image = painter.paint(line.picture);
+    const bool linear = encoding_of(program.description(), line.picture.output) == OutputEncoding::linear_colour;
+    write_image(line.out, image, {.encode_srgb = linear});
+  }
+  if (line.stats) print_counts(painter.gl().counts);
+  return exit_ok;
+}
+
+int run(int count, char** arguments, const StepIdentity& identity) {
+  auto line = parse_command_line(count, arguments, identity.name);
+  if (!line) return exit_ok;
+  const Implementations implementations = line->implementations ? *line->implementations : default_implementations(identity.name);
+  const bool headless = !line->out.empty() || !line->record.empty() || !line->cases.empty();
+  if (!headless && !line->list) return run_window(identity, implementations, *line);
+
+  StepProgram& program = load_step(identity, implementations);
+  if (line->list) {
+    const StepDescription& description = program.description();
+    std::fputs((line->json ? list_as_json(description) : list_as_text(description)).c_str(), stdout);
+    return exit_ok;
+  }
+  return draw_headless(program, implementations, *line);
+}
+
+}  // namespace
+
+int run_step(int count, char** arguments, const StepIdentity& identity) {
+  try {
+    return run(count, arguments, identity);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return exit_usage;
+  }
+}
+
+}  // namespace atelier

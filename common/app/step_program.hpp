@@ -1,0 +1,80 @@
+// What a step program is: its scenes, its settings, its drawing, and the functions that can be probed. Each step's
+// main.cpp describes one; the shell (command line, headless drawing, window) does the rest.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "case/implementations.hpp"
+#include "case/settings.hpp"
+#include "gl/gl.hpp"
+#include "gl/target.hpp"
+#include "scene/scene.hpp"
+
+namespace atelier {
+
+/// How the pixels of an output are to be understood.
+enum class OutputEncoding {
+  linear_colour,   ///< linear light: encoded to sRGB once, by whoever shows or judges it
+  encoded_colour,  ///< sRGB-encoded already
+  data,            ///< numbers: a depth, a coded direction, texture coordinates
+};
+
+struct OutputSpec {
+  std::string name;  ///< "colour", "depth", ...
+  OutputEncoding encoding = OutputEncoding::linear_colour;
+  std::string help;  ///< one sentence with the unit
+};
+
+/// A student's function, callable from outside on plain numbers. May use OpenGL. May throw: the sentence is reported.
+using Probe = std::function<Numbers(Gl& gl, const Arguments& arguments)>;
+
+/// What --list prints.
+struct StepDescription {
+  std::string name;                    ///< "01-transforms"
+  std::string title;                   ///< "Transforms and vertex buffers"
+  std::vector<std::string> scenes;     ///< the first is the default
+  std::vector<SettingSpec> settings;
+  std::vector<OutputSpec> outputs;     ///< "colour" first
+  std::map<std::string, Probe> probes;
+};
+
+/// One picture to draw.
+struct Frame {
+  const Target& target;
+  Camera camera;
+  std::string output = "colour";
+  double time = 0;  ///< seconds on a fixed clock
+};
+
+class StepProgram {
+ public:
+  virtual ~StepProgram() = default;
+  virtual const StepDescription& description() const = 0;
+
+  /// Called once, when there is a context: shaders are found along `implementations`.
+  virtual void open(Gl& gl, const Implementations& implementations) = 0;
+
+  /// Makes a scene the current one. Throws Error for an unknown name.
+  virtual void load(const std::string& scene, const Settings& settings) = 0;
+
+  /// The scene's own camera.
+  virtual Camera camera() const = 0;
+
+  /// What the target of a frame must have under these settings.
+  virtual DepthFormat depth_format(const Settings&) const { return DepthFormat::depth24; }
+
+  virtual void draw(const Frame& frame, const Settings& settings) = 0;
+
+  /// Looks whether shader files have changed and takes the new ones; returns the driver's words where it refuses them.
+  virtual std::string reload_changed_shaders() { return {}; }
+};
+
+}  // namespace atelier
+
+/// Every step's main.cpp defines it; the shell calls it once.
+extern "C" atelier::StepProgram* atelier_step_program();

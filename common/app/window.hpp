@@ -1,0 +1,14 @@
+// The window of a step program: orbit camera, settings panel, hot reload. Lives in a module of its own, so that headless
+// drawing starts without GLFW and Dear ImGui.
+#pragma once
+
+#include "app/command_line.hpp"
+#include "app/load.hpp"
+#include "app/step_program.hpp"
+
+namespace atelier {
+
+/// Opens a window and stays until it is closed; returns the exit status. Throws Error where there is no display.
+int run_window(const StepIdentity& identity, const Implementations& implementations, const CommandLine& line);
+
+}  // namespace atelier

@@ -1,0 +1,129 @@
+#include "base/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include "base/descriptor.hpp"
+#include "base/error.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string system_reason(int number = errno) { return std::generic_category().message(number); }
+
+/// A name beside `target` that nobody else uses: short, so that it fits wherever the target's own name fits.
+fs::path name_beside(const fs::path& target) {
+  static std::atomic<unsigned> count{0};
+  return target.parent_path() / fmt::format(".atelier-{}-{}.part", ::getpid(), count++);
+}
+
+/// Writes all of `bytes`, however many calls that takes. False with errno set where the system refuses.
+bool write_all(int descriptor, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    bytes.remove_prefix(std::size_t(written));
+  }
+  return true;
+}
+
+/// The file that a write to `path` replaces: what a link points to, so that the link stays one.
+fs::path replaced_file(const fs::path& path) {
+  std::error_code failed;
+  const fs::path behind = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
+  return failed || behind.empty() ? path : behind;
+}
+
+}  // namespace
+
+std::string read_file(const fs::path& path, std::size_t limit) {
+  const auto fail = [&](const std::string& reason) -> Error {
+    return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
+  };
+  // O_NONBLOCK: opening a FIFO that nobody writes to must not wait. It means nothing for a regular file.
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+  if (!file) throw fail(system_reason());
+  struct stat status {};
+  if (::fstat(file.get(), &status) != 0) throw fail(system_reason());
+  if (S_ISDIR(status.st_mode)) throw fail("it is a folder, and a file is needed");
+  if (!S_ISREG(status.st_mode)) throw fail("it is no regular file");
+  if (std::size_t(status.st_size) > limit)
+    throw fail(fmt::format("{} bytes, and at most {} are allowed", status.st_size, limit));
+
+  // The size is only a hint (0 for files of /proc, and a file may grow): read until the end, one byte past the limit.
+  std::string bytes(std::size_t(status.st_size) + 1, '\0');
+  std::size_t length = 0;
+  while (true) {
+    if (length == bytes.size()) bytes.resize(2 * length + 4096);
+    const ssize_t got = ::read(file.get(), bytes.data() + length, bytes.size() - length);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw fail(system_reason());
+    if (got == 0) break;
+    length += std::size_t(got);
+    if (length > limit) throw fail(fmt::format("more than the {} bytes allowed", limit));
+  }
+  bytes.resize(length);
+  return bytes;
+}
+
+void write_file(const fs::path& path, std::string_view bytes) {
+  const auto fail = [&](const std::string& reason) -> Error {
+    return Error(fmt::format("{}: cannot be written: {}", path.string(), reason));
+  };
+  std::error_code failed;
+  if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
+  if (failed) throw fail("its folder cannot be made: " + failed.message());
+
+  const fs::path target = replaced_file(path);
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (exists && S_ISDIR(old.st_mode)) throw fail("it is a folder");
+  // A rename would replace the device itself (/dev/null, say) by a file.
+  if (exists && !S_ISREG(old.st_mode)) throw fail("it is no regular file");
+
+  const fs::path part = name_beside(target);
+  Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (!file) throw fail(system_reason());
+  if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777);  // an owner's choice outlives the content
+  // Each call may be the one that meets the full disk; network file systems tell only at the close.
+  if (!write_all(file.get(), bytes) || !file.reset() || ::rename(part.c_str(), target.c_str()) != 0) {
+    const std::string reason = system_reason();
+    ::unlink(part.c_str());
+    throw fail(reason);
+  }
+}
+
+void write_file(const fs::path& path, std::span<const std::byte> bytes) {
+  write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+TemporaryFolder::TemporaryFolder(std::string_view prefix) {
+  std::error_code failed;
+  const fs::path parent = fs::temp_directory_path(failed);
+  if (failed)
+    throw Error("the temporary folder named by TMPDIR is missing (" + failed.message() + "): set TMPDIR to a folder");
+  std::string name = (parent / fmt::format("{}-XXXXXX", prefix)).string();
+  if (::mkdtemp(name.data()) == nullptr)
+    throw Error(fmt::format("{}: no temporary folder can be made there: {}", parent.string(), system_reason()));
+  path_ = name;
+}
+
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) {
+  other.path_.clear();  // a moved-from path may still hold its text
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove_all(path_, ignored);
+}
+
+}  // namespace atelier

@@ -1,0 +1,174 @@
+#include "case/exchange.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "case/printable.hpp"
+#include "case/strict_json.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+static_assert(std::endian::native == std::endian::little, "pixels are written as they lie in memory");
+static_assert(sizeof(Rgba) == 16);
+
+constexpr std::array<char, 8> magic = {'A', 'T', 'E', 'L', 'I', 'E', 'R', '1'};
+constexpr std::size_t max_sentence = 500;  // bytes of an error that are kept
+
+struct PixelHeader {
+  std::array<char, 8> magic;
+  std::uint32_t width, height;
+};
+static_assert(sizeof(PixelHeader) == 16);
+
+std::string system_reason(int code) {
+  return std::generic_category().message(code);
+}
+
+/// A file that an untrusted program may have put there: never a link (which could show the reader's own files), never
+/// waiting for a FIFO's other end.
+class UntrustedFile {
+ public:
+  explicit UntrustedFile(const fs::path& path) : name_(printable(path.filename().string())) {
+    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (descriptor_ < 0) {
+      if (errno == ELOOP) throw Error(name_ + " is a symbolic link; a regular file is needed");
+      throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
+    }
+    struct stat status {};
+    const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
+    if (!regular) {
+      ::close(descriptor_);
+      throw Error(name_ + " is a folder, pipe or device; a regular file is needed");
+    }
+    size_ = std::size_t(status.st_size);
+  }
+  ~UntrustedFile() { ::close(descriptor_); }
+  UntrustedFile(const UntrustedFile&) = delete;
+  UntrustedFile& operator=(const UntrustedFile&) = delete;
+
+  const std::string& name() const { return name_; }
+  std::size_t size() const { return size_; }
+
+  /// Exactly `count` bytes from where the last read ended. Throws Error where the file ends before.
+  void read(void* to, std::size_t count) {
+    for (std::size_t done = 0; done < count;) {
+      const ssize_t got = ::read(descriptor_, static_cast<char*>(to) + done, count - done);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
+      if (got == 0) throw Error(fmt::format("{} ended while it was read", name_));
+      done += std::size_t(got);
+    }
+  }
+
+ private:
+  std::string name_;  ///< without its folder: the message is for whoever wrote the file
+  int descriptor_ = -1;
+  std::size_t size_ = 0;
+};
+
+std::string number_text(double value) {
+  if (std::isnan(value)) return "\"nan\"";
+  if (std::isinf(value)) return value > 0 ? "\"inf\"" : "\"-inf\"";
+  if (value == 0) return std::signbit(value) ? "-0.0" : "0";  // a JSON reader takes -0 for the integer 0
+  return fmt::format("{}", value);                            // the shortest text that reads back to the same double
+}
+
+}  // namespace
+
+void write_pixels(const fs::path& file, const Image& image) {
+  const PixelHeader header{magic, std::uint32_t(image.width()), std::uint32_t(image.height())};
+  const std::size_t pixel_bytes = image.pixels().size_bytes();
+  std::string bytes(sizeof header + pixel_bytes, '\0');
+  std::memcpy(bytes.data(), &header, sizeof header);
+  if (pixel_bytes > 0) std::memcpy(bytes.data() + sizeof header, image.pixels().data(), pixel_bytes);
+  write_file(file, bytes);
+}
+
+void write_values(const fs::path& file, const std::vector<Numbers>& results) {
+  std::string text = "{\"results\": [";
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    text += i == 0 ? "\n[" : ",\n[";
+    for (std::size_t j = 0; j < results[i].size(); ++j) {
+      if (j > 0) text += ", ";
+      text += number_text(results[i][j]);
+    }
+    text += "]";
+  }
+  write_file(file, text + "\n]}\n");
+}
+
+void write_case_error(const fs::path& file, const std::string& sentence) {
+  const std::string_view first_line = std::string_view(sentence).substr(0, sentence.find('\n'));
+  write_file(file, shorten(printable(first_line), max_sentence) + "\n");
+}
+
+Image read_pixels(const fs::path& path, glm::ivec2 expected) {
+  Image image(expected.x, expected.y);
+  UntrustedFile file(path);
+  const std::size_t needed = sizeof(PixelHeader) + image.pixels().size_bytes();
+  if (file.size() != needed) {
+    throw Error(fmt::format("{} has {} bytes; a picture of {} x {} pixels needs {}", file.name(), file.size(),
+                            expected.x, expected.y, needed));
+  }
+  PixelHeader header;
+  file.read(&header, sizeof header);
+  if (header.magic != magic) throw Error(file.name() + " does not begin with ATELIER1: it is no picture file");
+  if (header.width != std::uint32_t(expected.x) || header.height != std::uint32_t(expected.y)) {
+    throw Error(fmt::format("{} holds {} x {} pixels; {} x {} were asked for", file.name(), header.width, header.height,
+                            expected.x, expected.y));
+  }
+  file.read(image.pixels().data(), image.pixels().size_bytes());
+  return image;
+}
+
+std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
+  UntrustedFile file(path);
+  if (file.size() > limit) throw Error(fmt::format("{} has {} bytes; {} are allowed", file.name(), file.size(), limit));
+  std::string text(file.size(), '\0');
+  file.read(text.data(), text.size());
+  const strict_json::Json document = strict_json::parse(text, file.name());
+  strict_json::refuse_unknown(document, {"results"}, file.name());
+  const strict_json::Json& lists = strict_json::required(document, "results", file.name());
+  if (!lists.is_array()) strict_json::refuse(lists, file.name() + ": results", "a list of lists of numbers");
+  std::vector<Numbers> results;
+  for (const strict_json::Json& list : lists) {
+    const std::string where = fmt::format("{}: result {}", file.name(), results.size());
+    if (!list.is_array()) strict_json::refuse(list, where, "a list of numbers");
+    Numbers& numbers = results.emplace_back();
+    for (const strict_json::Json& value : list) numbers.push_back(strict_json::any_number(value, where));
+  }
+  return results;
+}
+
+std::string read_case_error(const fs::path& path) {
+  std::error_code error;
+  if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return {};
+  try {
+    UntrustedFile file(path);
+    std::string text(std::min(file.size(), max_sentence), '\0');
+    const bool cut = file.size() > text.size();
+    file.read(text.data(), text.size());
+    const std::size_t line_end = text.find('\n');
+    if (cut && line_end == text.npos) text += "...";
+    return shorten(printable(std::string_view(text).substr(0, line_end)), max_sentence);
+  } catch (const Error& unreadable) {
+    return unreadable.what();
+  }
+}
+
+}  // namespace atelier

@@ -1,0 +1,143 @@
+#include "case/settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+#include "case/printable.hpp"
+#include "case/suggest.hpp"
+
+namespace atelier {
+namespace {
+
+bool is_choice(const SettingSpec& spec) {
+  return std::holds_alternative<std::string>(spec.fallback);
+}
+
+std::string type_name(const SettingValue& value) {
+  static const char* const names[] = {"on or off", "a whole number", "a number", "a choice"};
+  return names[value.index()];
+}
+
+std::string shown(const SettingValue& value) {
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
+  if (const int* number = std::get_if<int>(&value)) return fmt::format("{}", *number);
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  return "'" + shorten(printable(std::get<std::string>(value)), 80) + "'";
+}
+
+[[noreturn]] void refuse(const SettingSpec& spec, const std::string& value) {
+  throw Error(fmt::format("setting '{}': {} is not allowed; it takes {}", spec.name, value, allowed_values(spec)));
+}
+
+/// The whole of `text` as a number, or nothing.
+template <class Number>
+bool parse_number(std::string_view text, Number& number) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse_flag(std::string_view text, bool& flag) {
+  flag = text == "on" || text == "true";
+  return flag || text == "off" || text == "false";
+}
+
+/// `value` as the type and in the range of `spec`; a whole number serves where a real is wanted, nothing else converts.
+SettingValue checked(const SettingSpec& spec, SettingValue value) {
+  if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<int>(value)) {
+    value = double(std::get<int>(value));
+  }
+  if (value.index() != spec.fallback.index()) refuse(spec, shown(value));
+  if (const int* number = std::get_if<int>(&value)) {
+    if (*number < spec.low || *number > spec.high) refuse(spec, shown(value));
+  } else if (const double* real = std::get_if<double>(&value)) {
+    if (!(*real >= spec.low && *real <= spec.high)) refuse(spec, shown(value));  // a NaN is in no range
+  } else if (is_choice(spec)) {
+    const std::string& name = std::get<std::string>(value);
+    if (std::find(spec.choices.begin(), spec.choices.end(), name) == spec.choices.end()) refuse(spec, shown(value));
+  }
+  return value;
+}
+
+}  // namespace
+
+std::string allowed_values(const SettingSpec& spec) {
+  if (std::holds_alternative<bool>(spec.fallback)) return "on, off";
+  if (is_choice(spec)) return join(spec.choices);
+  return fmt::format("{}..{}", spec.low, spec.high);
+}
+
+Settings::Settings(std::vector<SettingSpec> specs) : specs_(std::move(specs)) {
+  for (const SettingSpec& spec : specs_) {
+    if (!values_.emplace(spec.name, checked(spec, spec.fallback)).second) {
+      throw Error(fmt::format("setting '{}' is declared twice", spec.name));
+    }
+  }
+}
+
+void Settings::set(std::string_view name, std::string_view text) {
+  const SettingSpec& known = spec(name);
+  SettingValue value = known.fallback;
+  const bool understood = std::visit(
+      [&](auto& parsed) {
+        using Type = std::decay_t<decltype(parsed)>;
+        if constexpr (std::is_same_v<Type, bool>)
+          return parse_flag(text, parsed);
+        else if constexpr (std::is_same_v<Type, std::string>)
+          return parsed = text, true;
+        else
+          return parse_number(text, parsed);
+      },
+      value);
+  if (!understood) refuse(known, shown(std::string(text)));
+  values_.find(name)->second = checked(known, std::move(value));
+}
+
+void Settings::set(std::string_view name, const SettingValue& value) {
+  const SettingSpec& known = spec(name);
+  values_.find(name)->second = checked(known, value);
+}
+
+const SettingSpec& Settings::spec(std::string_view name) const {
+  std::vector<std::string> known;
+  for (const SettingSpec& spec : specs_) {
+    if (spec.name == name) return spec;
+    known.push_back(spec.name);
+  }
+  throw Error(fmt::format("unknown setting '{}'{}", shorten(printable(name), 80), suggestion(name, known)));
+}
+
+const SettingValue& Settings::value(std::string_view name) const {
+  const auto found = values_.find(name);
+  return found != values_.end() ? found->second : spec(name).fallback;  // spec throws for what is unknown
+}
+
+namespace {
+
+template <class Type>
+const Type& typed(const SettingValue& value, std::string_view name) {
+  if (const Type* asked = std::get_if<Type>(&value)) return *asked;
+  throw Error(fmt::format("setting '{}' is {}, and was read as {}", name, type_name(value), type_name(Type{})));
+}
+
+}  // namespace
+
+bool Settings::flag(std::string_view name) const {
+  return typed<bool>(value(name), name);
+}
+int Settings::integer(std::string_view name) const {
+  return typed<int>(value(name), name);
+}
+double Settings::real(std::string_view name) const {
+  return typed<double>(value(name), name);
+}
+const std::string& Settings::choice(std::string_view name) const {
+  return typed<std::string>(value(name), name);
+}
+
+}  // namespace atelier

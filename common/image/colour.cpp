@@ -1,0 +1,66 @@
+#include "image/colour.hpp"
+
+#include <cmath>
+
+namespace atelier {
+namespace {
+
+template <class Real>
+Real encode(Real x) {
+  return x <= Real(0.0031308) ? Real(12.92) * x : Real(1.055) * std::pow(x, 1 / Real(2.4)) - Real(0.055);
+}
+
+template <class Real>
+Real decode(Real x) {
+  return x <= Real(0.04045) ? x / Real(12.92) : std::pow((x + Real(0.055)) / Real(1.055), Real(2.4));
+}
+
+template <class Function>
+Image each_pixel(const Image& image, Function function) {
+  Image result = image;
+  for (Rgba& pixel : result.pixels()) pixel = function(pixel);
+  return result;
+}
+
+/// CIE 15: the cube root, continued by its tangent below (6/29)^3, where the root would grow too steep.
+double lab_curve(double t) {
+  constexpr double knee = 6.0 / 29;
+  return t > knee * knee * knee ? std::cbrt(t) : t / (3 * knee * knee) + 4.0 / 29;
+}
+
+}  // namespace
+
+float srgb_encode(float linear) { return encode(linear); }
+double srgb_encode(double linear) { return encode(linear); }
+float srgb_decode(float encoded) { return decode(encoded); }
+double srgb_decode(double encoded) { return decode(encoded); }
+
+Rgba srgb_encode(const Rgba& c) { return {encode(c.r), encode(c.g), encode(c.b), c.a}; }
+Rgba srgb_decode(const Rgba& c) { return {decode(c.r), decode(c.g), decode(c.b), c.a}; }
+
+Image srgb_encode(const Image& linear) {
+  return each_pixel(linear, [](const Rgba& pixel) { return srgb_encode(pixel); });
+}
+
+Image srgb_decode(const Image& encoded) {
+  return each_pixel(encoded, [](const Rgba& pixel) { return srgb_decode(pixel); });
+}
+
+Xyz linear_to_xyz(const Rgba& c) {
+  const auto& m = linear_to_xyz_matrix.m;
+  return {m[0][0] * c.r + m[0][1] * c.g + m[0][2] * c.b, m[1][0] * c.r + m[1][1] * c.g + m[1][2] * c.b,
+          m[2][0] * c.r + m[2][1] * c.g + m[2][2] * c.b};
+}
+
+Rgba xyz_to_linear(const Xyz& c) {
+  const auto& m = xyz_to_linear_matrix.m;
+  return {float(m[0][0] * c.x + m[0][1] * c.y + m[0][2] * c.z), float(m[1][0] * c.x + m[1][1] * c.y + m[1][2] * c.z),
+          float(m[2][0] * c.x + m[2][1] * c.y + m[2][2] * c.z), 1};
+}
+
+Lab xyz_to_lab(const Xyz& c) {
+  const double x = lab_curve(c.x / white_d65.x), y = lab_curve(c.y / white_d65.y), z = lab_curve(c.z / white_d65.z);
+  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+}
+
+}  // namespace atelier

@@ -1,0 +1,205 @@
+#include "render/renderer.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace atelier {
+
+namespace {
+
+/// Where the renderer's own shader files are: set by the build, as an absolute path.
+const std::filesystem::path own_shaders = ATELIER_RENDER_SHADERS;
+
+}  // namespace
+
+Renderer::Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
+                   std::vector<std::unique_ptr<Feature>> features)
+    : gl_(gl),
+      implementations_(std::move(implementations)),
+      transforms_(std::move(transforms)),
+      features_(std::move(features)) {}
+
+void Renderer::configure(const Settings& settings) {
+  for (auto& feature : features_) feature->configure(settings);
+}
+
+void Renderer::prepare(const Scene& scene) {
+  validate(scene);
+  meshes_.clear();
+  scene_ = &scene;
+  for (const Mesh& mesh : scene.meshes) {
+    const MeshBuffers made = transforms_.upload_mesh(gl_, mesh.vertices, mesh.indices);
+    meshes_.push_back({GlVertexArray(gl_, made.vertex_array), GlBuffer(gl_, made.vertex_buffer),
+                       GlBuffer(gl_, made.index_buffer), made.count});
+    gl_.BindVertexArray(0);
+  }
+  for (auto& feature : features_) feature->prepare(gl_, scene);
+}
+
+// ---- Programs
+
+std::filesystem::path Renderer::find_shader(const std::string& name) const {
+  if (const auto found = implementations_.find(name); !found.empty()) return found;
+  const auto own = own_shaders / name;
+  return std::filesystem::exists(own) ? own : std::filesystem::path();
+}
+
+Renderer::Program Renderer::build(const SurfaceKey& key) const {
+  const SurfaceSources sources =
+      assemble_surface([this](const std::string& name) { return find_shader(name); }, transforms_.glsl, key);
+  GlProgram program = build_program(gl_, sources.vertex, sources.fragment);
+  Program built{std::move(program), Uniforms(gl_, 0), {}};
+  built.uniforms = Uniforms(gl_, built.program.id());
+  for (const auto* source : {&sources.vertex, &sources.fragment})
+    for (const auto& file : source->files)
+      if (std::error_code missing; std::filesystem::exists(file, missing))
+        built.files[file] = std::filesystem::last_write_time(file);
+  return built;
+}
+
+Renderer::Program& Renderer::program(const SurfaceKey& key) {
+  auto found = programs_.find(key);
+  if (found == programs_.end()) found = programs_.emplace(key, build(key)).first;
+  return found->second;
+}
+
+std::string Renderer::reload_changed_shaders() {
+  for (auto& [key, program] : programs_)
+    for (auto& [file, seen] : program.files) {
+      std::error_code gone;
+      const auto now = std::filesystem::last_write_time(file, gone);
+      if (gone || now == seen) continue;
+      try {
+        program = build(key);
+      } catch (const Error& error) {
+        return error.what();
+      }
+      break;  // `files` is a new map now
+    }
+  return {};
+}
+
+SurfaceKey Renderer::key_for(const View& view, const Material& material) const {
+  SurfaceKey key;
+  key.output = view.output;
+  for (const auto& feature : features_) {
+    const Need need = feature->need(*scene_, view, material);
+    if (!need.wanted) continue;
+    key.features.push_back(feature.get());
+    key.structure.insert(need.structure.begin(), need.structure.end());
+  }
+  if (material.two_sided) key.structure["TWO_SIDED"] = "1";
+  return key;
+}
+
+// ---- One frame
+
+Viewpoint Renderer::look(const View& view, const Target& target) const {
+  const Camera& camera = view.camera;
+  const glm::dvec3 origin = view.camera_relative ? camera.eye : glm::dvec3(0);
+  const auto moved = [&](const glm::dvec3& p) {
+    return view.camera_relative ? transforms_.relative_to_eye(p, origin) : glm::vec3(p);
+  };
+  const float aspect = float(target.spec().width) / float(target.spec().height);
+  glm::mat4 projection;
+  if (camera.projection == Projection::orthographic) {
+    const float top = camera.height / 2, right = top * aspect;
+    projection = transforms_.orthographic(-right, right, -top, top, camera.near, camera.far);
+  } else {
+    const auto make = view.reversed_depth ? transforms_.perspective_reversed : transforms_.perspective;
+    projection = make(camera.fov_y, aspect, camera.near, camera.far);
+  }
+  return {view, transforms_.look_at(moved(camera.eye), moved(camera.target), camera.up), projection, moved(camera.eye),
+          origin};
+}
+
+std::vector<Renderer::Draw> Renderer::place(const Viewpoint& viewpoint) const {
+  std::vector<Joint> joints;
+  joints.reserve(scene_->nodes.size());
+  for (const Node& node : scene_->nodes) {
+    glm::mat4 local;
+    // Only roots stand in world space: what hangs below them is near its parent and needs no double precision.
+    const bool move = node.parent < 0 && viewpoint.view.camera_relative;
+    if (node.matrix) {
+      local = *node.matrix;
+      if (move) local[3] = glm::vec4(transforms_.relative_to_eye(glm::dvec3(local[3]), viewpoint.origin), 1);
+    } else {
+      const glm::vec3 translation =
+          move ? transforms_.relative_to_eye(node.translation, viewpoint.origin) : glm::vec3(node.translation);
+      local = transforms_.compose(translation, node.rotation_axis, node.rotation_angle, node.scale);
+    }
+    joints.push_back({node.parent, local});
+  }
+  const std::vector<glm::mat4> world = transforms_.world_matrices(joints);
+  if (world.size() != joints.size())
+    throw Error(fmt::format("world_matrices returned {} matrices for {} nodes", world.size(), joints.size()));
+  std::vector<Draw> draws;
+  for (std::size_t i = 0; i < world.size(); ++i)
+    if (scene_->nodes[i].mesh) draws.push_back({int(i), world[i], transforms_.normal_matrix(world[i])});
+  return draws;
+}
+
+void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
+  const View& view = viewpoint.view;
+  if (view.reversed_depth && !gl_.ClipControl.call)
+    throw Error("reversed depth needs glClipControl (OpenGL 4.5 or ARB_clip_control), which this driver lacks");
+  target.bind(gl_);
+  if (gl_.ClipControl.call)
+    gl_.ClipControl(GL_LOWER_LEFT, GLenum(view.reversed_depth ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
+  gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
+  gl_.DepthMask(GL_TRUE);
+  gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);
+  const glm::vec3 background = view.output == "colour" ? scene_->background : glm::vec3(0);
+  gl_.ClearColor(background.r, background.g, background.b, 1);
+  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  gl_.Enable(GL_DEPTH_TEST);
+  transforms_.set_wireframe(gl_, view.wireframe);
+}
+
+void Renderer::draw(const Draw& draw, const Viewpoint& viewpoint) {
+  const Node& node = scene_->nodes[std::size_t(draw.node)];
+  const Material& material = scene_->materials[std::size_t(node.material)];
+  const UploadedMesh& mesh = meshes_[std::size_t(*node.mesh)];
+  if (!mesh.vertex_array || mesh.count <= 0) return;  // step 01's upload_mesh is not written yet: nothing to draw
+  const SurfaceKey key = key_for(viewpoint.view, material);
+  Program& chosen = program(key);
+  gl_.UseProgram(chosen.program.id());
+
+  Binder binder(gl_, chosen.uniforms);
+  binder.set("u_model", draw.model);
+  binder.set("u_normal_matrix", draw.normal_matrix);
+  binder.set("u_view", viewpoint.world_to_view);
+  binder.set("u_projection", viewpoint.projection);
+  binder.set("u_eye_world", viewpoint.eye);
+  for (const auto& feature : features_) {
+    if (std::find(key.features.begin(), key.features.end(), feature.get()) == key.features.end()) continue;
+    feature->bind_view(binder, *scene_, viewpoint);
+    feature->bind_material(binder, *scene_, material);
+  }
+
+  // A mirrored model turns its triangles round: what was counter-clockwise is clockwise now.
+  gl_.FrontFace(GLenum(glm::determinant(glm::mat3(draw.model)) < 0 ? GL_CW : GL_CCW));
+  if (material.two_sided || viewpoint.view.wireframe)
+    gl_.Disable(GL_CULL_FACE);
+  else
+    gl_.Enable(GL_CULL_FACE);
+  gl_.BindVertexArray(mesh.vertex_array.id());
+  if (mesh.index_buffer)
+    gl_.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+  else
+    gl_.DrawArrays(GL_TRIANGLES, 0, mesh.count);
+}
+
+void Renderer::render(const View& view, const Target& target) {
+  if (!scene_) throw Error("Renderer::render: no scene was prepared");
+  const Viewpoint viewpoint = look(view, target);
+  const std::vector<Draw> draws = place(viewpoint);
+  begin(viewpoint, target);
+  for (const Draw& each : draws) draw(each, viewpoint);
+  gl_.BindVertexArray(0);
+  transforms_.set_wireframe(gl_, false);
+  check_gl_error(gl_, "drawing the scene");
+}
+
+}  // namespace atelier

@@ -1,0 +1,123 @@
+#include "render/surface_shader.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <tuple>
+
+namespace atelier {
+
+namespace {
+
+/// The renderer's own intermediates, as vec3 expressions over `surface`.
+const std::map<std::string, std::string>& own_outputs() {
+  static const std::map<std::string, std::string> outputs = {
+      {"depth", "vec3(gl_FragCoord.z)"},
+      {"normal", "encode_direction(surface.normal_world)"},
+      {"position", "surface.position_world"},
+      {"texcoord", "vec3(surface.texcoord, 0.0)"},
+  };
+  return outputs;
+}
+
+constexpr const char* vertex_text = R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_texcoord;
+uniform mat4 u_model, u_view, u_projection;
+uniform mat3 u_normal_matrix;
+uniform vec3 u_eye_world;
+out vec3 v_position_world;
+out vec3 v_normal_world;
+out vec2 v_texcoord;
+)";
+
+constexpr const char* fragment_text = R"(
+in vec3 v_position_world;
+in vec3 v_normal_world;
+in vec2 v_texcoord;
+uniform vec3 u_eye_world;
+out vec4 o_colour;
+
+// A direction as a colour: -1..1 becomes 0..1. The zero vector becomes middle grey.
+vec3 encode_direction(vec3 v) {
+  float length_squared = dot(v, v);
+  return length_squared > 0.0 ? v * inversesqrt(length_squared) * 0.5 + 0.5 : vec3(0.5);
+}
+)";
+
+/// Where no feature shades the surface there is nothing but a flat grey: a silhouette.
+SlotCode shade_code(const SurfaceKey& key) {
+  SlotCode code;
+  for (const Feature* feature : key.features) {
+    const auto slots = feature->slots();
+    if (const auto found = slots.find(Slot::shade); found != slots.end()) code = found->second;
+  }
+  return code;
+}
+
+std::string include_line(const std::string& file) { return fmt::format("#include \"{}\"\n", file); }
+
+std::string output_expression(const SurfaceKey& key, const std::string& shaded) {
+  if (key.output == "colour") return shaded;
+  if (const auto own = own_outputs().find(key.output); own != own_outputs().end()) return own->second;
+  std::vector<std::string> known = {"colour"};
+  for (const auto& [name, expression] : own_outputs()) known.push_back(name);
+  for (const Feature* feature : key.features)
+    for (const auto& [name, expression] : feature->outputs()) {
+      if (name == key.output) return expression;
+      known.push_back(name);
+    }
+  throw Error(fmt::format("output '{}': this scene offers {}", key.output, fmt::join(known, ", ")));
+}
+
+}  // namespace
+
+bool SurfaceKey::operator<(const SurfaceKey& other) const {
+  return std::tie(features, structure, output) < std::tie(other.features, other.structure, other.output);
+}
+
+std::vector<std::string> surface_outputs() {
+  std::vector<std::string> names;
+  for (const auto& [name, expression] : own_outputs()) names.push_back(name);
+  return names;
+}
+
+SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key) {
+  const SlotCode shade = shade_code(key);
+  const bool per_vertex = key.structure.contains("PER_VERTEX") && key.output == "colour" && !shade.function.empty();
+  const std::string shading = shade.include.empty() ? "" : include_line("surface.glsl") + include_line(shade.include);
+  const std::string shaded = shade.function.empty() ? "vec3(0.5)" : shade.function + "(surface)";
+
+  // Vertex stage: step 01's functions place the corner; Gouraud shading also lights it here.
+  std::string vertex = vertex_text + include_line(transforms_glsl);
+  if (per_vertex) vertex += "out vec3 v_shaded;\n" + shading;
+  vertex +=
+      "void main() {\n"
+      "  v_position_world = world_position(u_model, a_position);\n"
+      "  v_normal_world = world_normal(u_normal_matrix, a_normal);\n"
+      "  v_texcoord = a_texcoord;\n"
+      "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n";
+  if (per_vertex)
+    vertex += "  Surface surface = Surface(v_position_world, v_normal_world, v_texcoord, u_eye_world);\n  v_shaded = " +
+              shaded + ";\n";
+  vertex += "}\n";
+
+  // Fragment stage: gather the surface, let the features shade it, write what was asked for.
+  std::string fragment = fragment_text;
+  if (per_vertex)
+    fragment += "in vec3 v_shaded;\nvoid main() { o_colour = vec4(v_shaded, 1.0); }\n";
+  else
+    fragment += (shading.empty() ? include_line("surface.glsl") : shading) +
+                "void main() {\n"
+                "  Surface surface = Surface(v_position_world, v_normal_world, v_texcoord, u_eye_world);\n"
+                "#ifdef TWO_SIDED\n"
+                "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
+                "#endif\n"
+                "  o_colour = vec4(" + output_expression(key, shaded) + ", 1.0);\n}\n";
+
+  return {assemble_shader_text(find, vertex, "surface vertex shader", key.structure),
+          assemble_shader_text(find, fragment, "surface fragment shader", key.structure)};
+}
+
+}  // namespace atelier

@@ -1,0 +1,31 @@
+// Puts the surface shader together: the parts that every drawing has, and the GLSL of the features that are wanted.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gl/shader.hpp"
+#include "render/feature.hpp"
+
+namespace atelier {
+
+/// What tells one program from another. Equal keys share a program.
+struct SurfaceKey {
+  std::vector<const Feature*> features;  ///< wanted ones, in the renderer's order
+  Defines structure;                     ///< of all of them, plus TEXCOORDS, PER_VERTEX ...
+  std::string output;
+  bool operator<(const SurfaceKey& other) const;
+};
+
+struct SurfaceSources {
+  ShaderSource vertex, fragment;
+};
+
+/// `transforms_glsl` is the include behind TransformFunctions::glsl. Throws Error for an output that neither the renderer
+/// nor a wanted feature offers.
+SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key);
+
+/// Intermediates that the renderer itself offers: "depth", "normal", "texcoord", "position".
+std::vector<std::string> surface_outputs();
+
+}  // namespace atelier

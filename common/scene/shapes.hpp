@@ -1,0 +1,102 @@
+// Shapes made by arithmetic. Each is a Mesh in its own object space (metres, +y up, counter-clockwise from outside) with
+// unit normals and texture coordinates; each checks its measures and throws atelier::Error naming the one out of range.
+//
+//   Mesh globe = make_sphere({.radius = 0.5f, .segments = 64});
+//
+// Lengths are 1e-6 .. 1e6 metres: squares of shorter and longer ones leave the range where floats are exact enough.
+// Triangles that would have no area (at the poles of a sphere) are left out; seams repeat their positions bit by bit.
+#pragma once
+
+#include "scene/scene.hpp"
+
+namespace atelier {
+
+/// Whether a surface is looked at from outside or from inside: decides where its normals and front faces point.
+enum class Side { outside, inside };
+
+/// A globe cut along meridians and parallels around the origin. u runs once around eastwards (counter-clockwise from
+/// above, from +x), v from the south pole (0) to the north pole (1).
+struct SphereShape {
+  float radius = 1;
+  int segments = 48;  ///< meridians, 3..4096
+  int rings = 24;     ///< bands between the parallels, 2..4096
+};
+Mesh make_sphere(const SphereShape& shape = {});
+
+/// An icosahedron whose faces are cut in four again and again: even triangles, 20 * 4^subdivisions of them, smooth
+/// normals. u and v as on make_sphere, by the direction alone; vertices are repeated where u wraps around.
+struct IcosphereShape {
+  float radius = 1;
+  int subdivisions = 1;  ///< 0..8
+};
+Mesh make_icosphere(const IcosphereShape& shape = {});
+
+/// A ring that lies flat around the y axis. u runs once around the axis, v once around the tube.
+struct TorusShape {
+  float ring_radius = 0.75f;  ///< from the axis to the middle of the tube
+  float tube_radius = 0.25f;  ///< below ring_radius
+  int segments = 64;          ///< around the axis, 3..4096
+  int sides = 32;             ///< around the tube, 3..4096
+};
+Mesh make_torus(const TorusShape& shape = {});
+
+/// A box around the origin: 24 vertices, four a face, so that its edges are sharp. Each face shows the whole texture once.
+struct BoxShape {
+  glm::vec3 size{1};              ///< metres along x, y, z
+  Side side = Side::outside;      ///< inside: a room
+};
+Mesh make_box(const BoxShape& shape = {});
+
+/// A rectangle in the xz plane around the origin that faces +y. u runs along +x, v along -z: seen from above with -z
+/// ahead, the texture stands upright.
+struct PlaneShape {
+  float width = 1, depth = 1;        ///< metres along x and z
+  glm::vec2 repeat{1};               ///< how often the texture is laid side by side along u and v, 1e-3 .. 1e4
+  int columns = 1, rows = 1;         ///< quads along x and z, 1..4096 (per-vertex lighting needs many)
+};
+Mesh make_plane(const PlaneShape& shape = {});
+
+/// The wall of an upright cylinder of n flat sides: y from 0 to height, without floor and ceiling. The corners lie on the
+/// circle, so the wall is nearest to the axis in the middle of a side: by R (1 - cos(pi / n)), the sagitta. Normals are
+/// the circle's own (smooth). u runs once around: counter-clockwise from above when it is seen from outside, clockwise
+/// from inside, so that a picture reads from left to right on both; v runs up. A corner stands at +x.
+struct CylinderWallShape {
+  float radius = 1, height = 1;
+  int segments = 48;             ///< 3..65536
+  Side side = Side::outside;
+};
+Mesh make_cylinder_wall(const CylinderWallShape& shape = {});
+
+/// A flat disc in the xz plane around the origin that faces +y, corners as in make_cylinder_wall. The texture's inscribed
+/// circle covers it, upright as on make_plane.
+struct DiscShape {
+  float radius = 1;
+  int segments = 48;  ///< 3..65536
+};
+Mesh make_disc(const DiscShape& shape = {});
+
+/// A solid cylinder, y from 0 to height: wall, floor and lid with sharp edges. Closed.
+struct CylinderShape {
+  float radius = 1, height = 1;
+  int segments = 48;  ///< 3..65536
+};
+Mesh make_cylinder(const CylinderShape& shape = {});
+
+/// A solid cone with its base on y = 0 and its tip on the y axis. Closed. The normals along the slope are the cone's own;
+/// the tip is one vertex a segment, each with the normal of its segment's middle.
+struct ConeShape {
+  float radius = 1, height = 1;
+  int segments = 48;  ///< 3..65536
+};
+Mesh make_cone(const ConeShape& shape = {});
+
+/// Newell's teapot of 1975 from its 32 bicubic patches: it stands on y = 0 around the y axis with the spout towards +x.
+/// Not closed: the lid leaves a gap, and spout and handle reach through the body. u runs once around each part, v up it
+/// or along it.
+struct TeapotShape {
+  float height = 1;       ///< metres from the table to the knob's top; it is 2.07 times as long as it is high
+  int subdivisions = 10;  ///< quads along a patch's side, 1..64
+};
+Mesh make_teapot(const TeapotShape& shape = {});
+
+}  // namespace atelier

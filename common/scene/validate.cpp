@@ -1,0 +1,147 @@
+// What makes a scene fit to be drawn: one small check for each struct, each naming the first thing that is wrong.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "scene/scene.hpp"
+
+namespace atelier {
+namespace {
+
+/// Throws "scene 'hall': node 3 ('door'): ..."; carries the first two parts so that the checks read as one line each.
+struct Context {
+  std::string scene, thing;
+
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(fmt::format("scene '{}': {}: {}", scene, thing, what));
+  }
+  void require(bool holds, const char* what) const {
+    if (!holds) fail(what);
+  }
+};
+
+template <class Vector>
+bool finite(const Vector& v) {
+  for (int i = 0; i < Vector::length(); ++i)
+    if (!std::isfinite(v[i])) return false;
+  return true;
+}
+
+bool finite(const glm::mat4& m) { return finite(m[0]) && finite(m[1]) && finite(m[2]) && finite(m[3]); }
+
+bool finite_and_not_negative(const glm::vec3& v) { return finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0; }
+
+void check_index(const Context& context, const char* what, int index, std::size_t count) {
+  if (index < 0 || std::size_t(index) >= count)
+    context.fail(fmt::format("{} {} of {} (allowed: 0..{})", what, index, count, std::ptrdiff_t(count) - 1));
+}
+
+void check_mesh(const Context& context, const Mesh& mesh) {
+  if (mesh.indices.size() % 3 != 0)
+    context.fail(fmt::format("{} indices, which is no multiple of 3", mesh.indices.size()));
+  if (!mesh.tangents.empty() && mesh.tangents.size() != mesh.vertices.size())
+    context.fail(fmt::format("{} tangents for {} vertices", mesh.tangents.size(), mesh.vertices.size()));
+  for (const std::uint32_t index : mesh.indices)
+    if (index >= mesh.vertices.size())
+      context.fail(fmt::format("index {} of {} vertices", index, mesh.vertices.size()));
+  for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+    const Vertex& v = mesh.vertices[i];
+    if (!finite(v.position)) context.fail(fmt::format("vertex {}: the position is not finite", i));
+    if (!finite(v.normal)) context.fail(fmt::format("vertex {}: the normal is not finite", i));
+    if (!finite(v.texcoord)) context.fail(fmt::format("vertex {}: the texture coordinate is not finite", i));
+  }
+  for (const glm::vec4& tangent : mesh.tangents) context.require(finite(tangent), "a tangent is not finite");
+}
+
+void check_material(const Context& context, const Material& material, const Scene& scene) {
+  context.require(finite_and_not_negative(material.diffuse), "diffuse must be finite and not negative");
+  context.require(finite_and_not_negative(material.specular), "specular must be finite and not negative");
+  context.require(finite_and_not_negative(material.emission), "emission must be finite and not negative");
+  if (!(material.exponent >= 0 && material.exponent <= 1e6f))
+    context.fail(fmt::format("exponent {} (allowed: 0..1000000)", material.exponent));
+  for (const TextureIndex& texture : {material.diffuse_texture, material.specular_texture, material.normal_texture,
+                                      material.height_texture})
+    if (texture) check_index(context, "texture", *texture, scene.textures.size());
+}
+
+void check_texture(const Context& context, const Texture& texture) {
+  context.require(!texture.pixels.empty(), "it has no pixels");
+  for (const Rgba& p : texture.pixels.pixels())
+    if (!(std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b) && std::isfinite(p.a)))
+      context.fail("a pixel is not finite");
+}
+
+void check_node(const Context& context, const Node& node, const Scene& scene) {
+  context.require(finite(node.translation) && finite(node.scale), "translation and scale must be finite");
+  context.require(finite(node.rotation_axis) && std::isfinite(node.rotation_angle), "the rotation must be finite");
+  context.require(node.rotation_angle == 0 || node.rotation_axis != glm::vec3(0),
+                  "the rotation's axis is zero though its angle is not");
+  context.require(!node.matrix || finite(*node.matrix), "the matrix must be finite");
+  if (!node.mesh) return;
+  check_index(context, "mesh", *node.mesh, scene.meshes.size());
+  check_index(context, "material", node.material, scene.materials.size());
+}
+
+void check_light(const Context& context, const Light& light) {
+  context.require(finite_and_not_negative(light.colour), "colour must be finite and not negative");
+  if (light.type != LightType::point)
+    context.require(finite(light.direction) && light.direction != glm::vec3(0), "direction must be finite and not zero");
+  if (light.type == LightType::directional) return;
+  context.require(finite(light.position), "position must be finite");
+  context.require(finite_and_not_negative(light.attenuation) && light.attenuation != glm::vec3(0),
+                  "attenuation must be finite, not negative, and not all zero");
+  if (light.type != LightType::spot) return;
+  if (!(0 <= light.inner_angle && light.inner_angle <= light.outer_angle &&
+        light.outer_angle <= std::numbers::pi_v<float>))
+    context.fail(fmt::format("cone angles {} and {} radians (allowed: 0 <= inner <= outer <= pi)", light.inner_angle,
+                             light.outer_angle));
+}
+
+void check_camera(const Context& context, const Camera& camera) {
+  context.require(finite(camera.eye) && finite(camera.target), "eye and target must be finite");
+  context.require(camera.eye != camera.target, "eye and target are the same point");
+  context.require(finite(camera.up) && camera.up != glm::vec3(0), "up must be finite and not zero");
+  context.require(std::isfinite(camera.near) && std::isfinite(camera.far) && camera.near < camera.far,
+                  "near and far must be finite, near below far");
+  if (camera.projection == Projection::orthographic) {
+    context.require(std::isfinite(camera.height) && camera.height > 0, "height must be finite and above zero");
+    return;
+  }
+  context.require(camera.near > 0, "near must be above zero in a perspective projection");
+  // The limit is meant as 179 degrees exactly; the slack forgives the last bit of a conversion from degrees.
+  constexpr float widest = 179.0f / 180.0f * std::numbers::pi_v<float> + 1e-6f;
+  if (!(camera.fov_y > 0 && camera.fov_y <= widest))
+    context.fail(fmt::format("vertical angle of view {} radians (allowed: above 0, at most 179 degrees)", camera.fov_y));
+}
+
+}  // namespace
+
+void validate(const Scene& scene) {
+  Context context{scene.name, {}};
+  const auto each = [&](const char* kind, const auto& list, const auto& check) {
+    for (std::size_t i = 0; i < list.size(); ++i) {
+      context.thing = fmt::format("{} {} ('{}')", kind, i, list[i].name);
+      check(list[i]);
+    }
+  };
+  each("mesh", scene.meshes, [&](const Mesh& mesh) { check_mesh(context, mesh); });
+  each("texture", scene.textures, [&](const Texture& texture) { check_texture(context, texture); });
+  each("material", scene.materials, [&](const Material& material) { check_material(context, material, scene); });
+  each("node", scene.nodes, [&](const Node& node) { check_node(context, node, scene); });
+  each("light", scene.lights, [&](const Light& light) { check_light(context, light); });
+  try {
+    parents_first(scene.nodes);
+  } catch (const Error& error) {
+    throw Error(fmt::format("scene '{}': {}", scene.name, error.what()));
+  }
+  context.thing = "camera";
+  check_camera(context, scene.camera);
+  context.thing = "ambient";
+  context.require(finite_and_not_negative(scene.ambient), "it must be finite and not negative");
+  context.thing = "background";
+  context.require(finite_and_not_negative(scene.background), "it must be finite and not negative");
+}
+
+}  // namespace atelier
