@@ -17,7 +17,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string system_reason(int number = errno) { return std::generic_category().message(number); }
+std::string system_reason(int number = errno) {
+  return std::generic_category().message(number);
+}
 
 /// A name beside `target` that nobody else uses: short, so that it fits wherever the target's own name fits.
 fs::path name_beside(const fs::path& target) {
@@ -90,8 +92,12 @@ void write_file(const fs::path& path, std::string_view bytes) {
   // A rename would replace the device itself (/dev/null, say) by a file.
   if (exists && !S_ISREG(old.st_mode)) throw fail("it is no regular file");
 
-  const fs::path part = name_beside(target);
-  Descriptor file(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  fs::path part;
+  Descriptor file;
+  do {  // past what a killed process of our number has left
+    part = name_beside(target);
+    file = Descriptor(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  } while (!file && errno == EEXIST);
   if (!file) throw fail(system_reason());
   if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777);  // an owner's choice outlives the content
   // Each call may be the one that meets the full disk; network file systems tell only at the close.

@@ -14,7 +14,8 @@ namespace atelier {
 std::string read_file(const std::filesystem::path& path, std::size_t limit = std::size_t(1) << 30);
 
 /// Writes beside the target and renames, so that a reader sees the old file or the new one and never a part, and a full
-/// disk leaves the old one as it was. Makes missing parent folders. Throws Error naming the path and the system's reason.
+/// disk leaves the old one as it was. Makes missing parent folders. Throws Error naming the path and the system's
+/// reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

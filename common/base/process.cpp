@@ -32,6 +32,12 @@ struct Pipe {
   Descriptor read, write;
 };
 
+/// The same file under a number above the standard streams', which a child's own take the place of: a parent whose
+/// streams are closed is given such low numbers.
+Descriptor above_standard_streams(Descriptor file) {
+  return file.get() > 2 ? std::move(file) : Descriptor(::fcntl(file.get(), F_DUPFD_CLOEXEC, 3));
+}
+
 /// Both ends close-on-exec from the start, so that a child started meanwhile by another thread inherits neither.
 Pipe make_pipe() {
   int ends[2];
@@ -43,7 +49,7 @@ Pipe make_pipe() {
     for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 #endif
   if (failed) throw Error("no pipe can be made: " + std::generic_category().message(errno));
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  return {above_standard_streams(Descriptor(ends[0])), above_standard_streams(Descriptor(ends[1]))};
 }
 
 bool is_program(const fs::path& file) {
@@ -51,8 +57,8 @@ bool is_program(const fs::path& file) {
   return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// The absolute path behind a program's name: itself where it has a slash, otherwise the first match along PATH. Done here
-/// and not by exec, because the child's folder and environment may be others than ours.
+/// The absolute path behind a program's name: itself where it has a slash, otherwise the first match along PATH. Done
+/// here and not by exec, because the child's folder and environment may be others than ours.
 fs::path find_program(const std::string& name) {
   if (name.find('/') != std::string::npos) return fs::absolute(name);
   const char* variable = std::getenv("PATH");
@@ -144,9 +150,13 @@ void close_descriptors_at_exec() {
 /// Forks and waits until the program itself runs. `output` is the end of a pipe that it writes to.
 pid_t start(const Command& command, const Descriptor& output) {
   Launch launch = prepare(command);
-  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+  const Descriptor nothing = above_standard_streams(Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)));
   Pipe report = make_pipe();
   launch.input = nothing.get(), launch.output = output.get(), launch.report = report.write.get();
+
+  // Whoever started us may have left SIGCHLD ignored; then the system forgets how a child ended.
+  struct sigaction action {};
+  if (::sigaction(SIGCHLD, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) ::signal(SIGCHLD, SIG_DFL);
 
   const pid_t child = ::fork();
   if (child == 0) become(launch);
@@ -188,13 +198,13 @@ Drained drain(int pipe, std::string& kept, std::size_t limit) {
 /// Waits for the child's end or the limit, collecting output. Returns true where the limit came first.
 bool watch(pid_t child, int pipe, Clock::time_point deadline, const Command& command, std::string& output) {
   // The pipe's end normally tells of the child's. It does not where a grandchild holds the pipe or the child has closed
-  // its own side: then we look for the end this often.
-  constexpr milliseconds glance{5};
+  // its own side: then we look for the end ourselves.
   Drained state = Drained::open;
   while (!has_ended(child)) {
     const auto now = Clock::now();
     if (now >= deadline) return true;
     const auto left = std::chrono::ceil<milliseconds>(deadline - now);
+    const milliseconds glance{state == Drained::open ? 10 : 1};
     pollfd wait{state == Drained::open ? pipe : -1, POLLIN, 0};  // poll passes over -1
     ::poll(&wait, 1, int(std::min(left, glance).count()));
     if (state == Drained::open) state = drain(pipe, output, command.output_limit);
@@ -227,21 +237,36 @@ Finished run_process(const Command& command) {
 
 std::string signal_name(int signal) {
   switch (signal) {
-    case SIGABRT: return "aborted (SIGABRT)";
-    case SIGBUS: return "bus error (SIGBUS)";
-    case SIGFPE: return "arithmetic fault, such as an integer division by zero (SIGFPE)";
-    case SIGHUP: return "hang-up (SIGHUP)";
-    case SIGILL: return "illegal instruction (SIGILL)";
-    case SIGINT: return "interrupted (SIGINT)";
-    case SIGKILL: return "killed (SIGKILL)";
-    case SIGPIPE: return "wrote to a closed pipe (SIGPIPE)";
-    case SIGSEGV: return "segmentation fault (SIGSEGV)";
-    case SIGSYS: return "forbidden system call (SIGSYS)";
-    case SIGTERM: return "terminated (SIGTERM)";
-    case SIGTRAP: return "trap (SIGTRAP)";
-    case SIGXCPU: return "processor time used up (SIGXCPU)";
-    case SIGXFSZ: return "file grew too large (SIGXFSZ)";
-    default: return fmt::format("signal {}", signal);
+    case SIGABRT:
+      return "aborted (SIGABRT)";
+    case SIGBUS:
+      return "bus error (SIGBUS)";
+    case SIGFPE:
+      return "arithmetic fault, such as an integer division by zero (SIGFPE)";
+    case SIGHUP:
+      return "hang-up (SIGHUP)";
+    case SIGILL:
+      return "illegal instruction (SIGILL)";
+    case SIGINT:
+      return "interrupted (SIGINT)";
+    case SIGKILL:
+      return "killed (SIGKILL)";
+    case SIGPIPE:
+      return "wrote to a closed pipe (SIGPIPE)";
+    case SIGSEGV:
+      return "segmentation fault (SIGSEGV)";
+    case SIGSYS:
+      return "forbidden system call (SIGSYS)";
+    case SIGTERM:
+      return "terminated (SIGTERM)";
+    case SIGTRAP:
+      return "trap (SIGTRAP)";
+    case SIGXCPU:
+      return "processor time used up (SIGXCPU)";
+    case SIGXFSZ:
+      return "file grew too large (SIGXFSZ)";
+    default:
+      return fmt::format("signal {}", signal);
   }
 }
 

@@ -1,0 +1,3 @@
+extern "C" int atelier_test_answer() {
+  return 42;
+}
