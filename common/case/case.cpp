@@ -154,8 +154,8 @@ Case parse_case(const Json& object, const std::string& where) {
   const bool is_probe = object.contains("probe");
   for (const std::string& member : is_probe ? picture_members : probe_members) {
     if (!object.contains(member)) continue;
-    throw Error(fmt::format("{}: '{}' belongs to a {}; this is a {}", place, member,
-                            is_probe ? "picture case" : "probe case", is_probe ? "probe" : "picture"));
+    throw Error(fmt::format("{}: '{}' belongs to a {}, and this is a {}", place, member, is_probe ? "picture" : "probe",
+                            is_probe ? "probe" : "picture"));
   }
   if (const Json* settings = strict_json::optional(object, "settings")) {
     c.settings = parse_settings(*settings, place + ": settings");

@@ -1,0 +1,41 @@
+#include "case/implementations.hpp"
+
+#include <fstream>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+
+using namespace atelier;
+using test::error_of;
+namespace fs = std::filesystem;
+
+TEST_CASE("the first root that has a file answers, file by file") {
+  const TemporaryFolder folder;
+  const fs::path mine = folder.path() / "mine", solution = folder.path() / "solution";
+  write_file(mine / "02-x" / "a.glsl", "mine");
+  write_file(solution / "02-x" / "a.glsl", "solution");
+  write_file(solution / "02-x" / "b.glsl", "solution");
+  write_file(mine / "03-y" / "a.glsl", "mine");
+  write_file(solution / "03-y" / "a.glsl", "solution");
+  write_file(folder.path() / "outside.glsl", "");
+
+  const std::string text = "02-x=" + mine.string() + ":" + solution.string();
+  const Implementations found = Implementations::parse(text);
+  CHECK(found.to_string() == text);
+  CHECK(found.find("02-x/a.glsl") == mine / "02-x/a.glsl");
+  CHECK(found.find("02-x/b.glsl") == solution / "02-x/b.glsl");
+  CHECK(found.find("03-y/a.glsl") == solution / "03-y/a.glsl");  // `mine` stands for 02-x only
+  for (const char* name : {"02-x/c.glsl", "02-x", "", "../outside.glsl", "02-x/../../outside.glsl", "/etc/passwd"}) {
+    INFO(name);
+    CHECK(found.find(name).empty());
+  }
+}
+
+TEST_CASE("search paths are checked") {
+  CHECK(Implementations::parse("").roots().empty());
+  CHECK(Implementations::parse("::/tmp:").roots().size() == 1);
+  CHECK(error_of([] { Implementations::parse("/nowhere"); }) == "implementations: no folder '/nowhere'");
+  CHECK(error_of([] { Implementations::parse("02-x=/nowhere"); }) == "implementations: no folder '/nowhere'");
+  CHECK(error_of([] { Implementations::parse("=/tmp"); }) == "implementations: '=/tmp' names no step before '='");
+  CHECK(error_of([] { Implementations::parse("a/b=/tmp"); }).find("'a/b' is no step") != std::string::npos);
+}
