@@ -24,7 +24,7 @@ struct Mesh {
   std::string name;
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;  ///< three a triangle, each below vertices.size()
-  std::vector<glm::vec4> tangents;     ///< empty, or one a vertex: xyz along +u, w the sign of the bitangent (as in glTF)
+  std::vector<glm::vec4> tangents;  ///< empty, or one a vertex: xyz along +u, w the sign of the bitangent (as in glTF)
 };
 
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
@@ -59,14 +59,14 @@ struct Material {
 /// Translations are double: a world may stand a million metres from its origin.
 struct Node {
   std::string name;
-  int parent = -1;                     ///< index into Scene::nodes, -1 for a root; any order, no cycles
-  glm::dvec3 translation{0};           ///< metres, in the parent's space
-  glm::vec3 rotation_axis{0, 1, 0};    ///< need not be unit length; must not be zero where the angle is not
-  float rotation_angle = 0;            ///< radians, counter-clockwise seen against the axis
-  glm::vec3 scale{1};                  ///< zero and negative are allowed
-  std::optional<glm::mat4> matrix;     ///< set: stands in for translation, rotation and scale (from imported files)
-  std::optional<int> mesh;             ///< index into Scene::meshes; none: a group or a joint
-  int material = 0;                    ///< index into Scene::materials
+  int parent = -1;                   ///< index into Scene::nodes, -1 for a root; any order, no cycles
+  glm::dvec3 translation{0};         ///< metres, in the parent's space
+  glm::vec3 rotation_axis{0, 1, 0};  ///< need not be unit length; must not be zero where the angle is not
+  float rotation_angle = 0;          ///< radians, counter-clockwise seen against the axis
+  glm::vec3 scale{1};                ///< zero and negative are allowed
+  std::optional<glm::mat4> matrix;   ///< set: stands in for translation, rotation and scale (from imported files)
+  std::optional<int> mesh;           ///< index into Scene::meshes; none: a group or a joint
+  int material = 0;                  ///< index into Scene::materials
   bool casts_shadow = true, receives_shadow = true;
 };
 
@@ -77,12 +77,12 @@ enum class LightType { point, spot, directional };
 struct Light {
   LightType type = LightType::point;
   std::string name;
-  glm::dvec3 position{0, 3, 0};        ///< world space; unused by directional lights
-  glm::vec3 direction{0, -1, 0};       ///< world space, the way that the light travels; unused by point lights
-  glm::vec3 colour{1};                 ///< linear, may be above one
-  glm::vec3 attenuation{0, 0, 1};      ///< constant, linear (1/m), quadratic (1/m^2); not all zero
-  float inner_angle = 0.4f;            ///< radians from the axis: full light within; 0 <= inner <= outer
-  float outer_angle = 0.5f;            ///< radians from the axis: no light beyond; at most pi
+  glm::dvec3 position{0, 3, 0};    ///< world space; unused by directional lights
+  glm::vec3 direction{0, -1, 0};   ///< world space, the way that the light travels; unused by point lights
+  glm::vec3 colour{1};             ///< linear, may be above one
+  glm::vec3 attenuation{0, 0, 1};  ///< constant, linear (1/m), quadratic (1/m^2); not all zero
+  float inner_angle = 0.4f;        ///< radians from the axis: full light within; 0 <= inner <= outer
+  float outer_angle = 0.5f;        ///< radians from the axis: no light beyond; at most pi
   bool casts_shadow = true;
 };
 
@@ -90,12 +90,12 @@ enum class Projection { perspective, orthographic };
 
 /// From where the scene is seen.
 struct Camera {
-  glm::dvec3 eye{0, 1, 5}, target{0};   ///< world space
+  glm::dvec3 eye{0, 1, 5}, target{0};  ///< world space
   glm::vec3 up{0, 1, 0};
   Projection projection = Projection::perspective;
-  float fov_y = 0.7853982f;             ///< radians, the full vertical angle of view, 0 < fov_y <= 179 degrees
-  float height = 4;                     ///< metres seen from bottom to top, orthographic only
-  float near = 0.1f, far = 100;         ///< metres, 0 < near < far (near may be negative when orthographic)
+  float fov_y = 0.7853982f;      ///< radians, the full vertical angle of view, 0 < fov_y <= 179 degrees
+  float height = 4;              ///< metres seen from bottom to top, orthographic only
+  float near = 0.1f, far = 100;  ///< metres, 0 < near < far (near may be negative when orthographic)
 };
 
 struct Scene {
@@ -106,8 +106,8 @@ struct Scene {
   std::vector<Node> nodes;
   std::vector<Light> lights;
   Camera camera;
-  glm::vec3 ambient{0.03f};             ///< light that arrives from everywhere, linear
-  glm::vec3 background{0.0f};           ///< what is seen where nothing is
+  glm::vec3 ambient{0.03f};    ///< light that arrives from everywhere, linear
+  glm::vec3 background{0.0f};  ///< what is seen where nothing is
 };
 
 /// Throws atelier::Error naming the first thing that is wrong, as "scene 'hall': node 3 ('door'): mesh 9 of 4":
@@ -121,8 +121,8 @@ struct Box3 {
   void add(const glm::dvec3& point) { low = glm::min(low, point), high = glm::max(high, point); }
 };
 
-/// All node indices, every parent before its children, otherwise in the order given. Throws atelier::Error naming the node
-/// at a cycle or a parent out of range. Takes time linear in the number of nodes, and no recursion.
+/// All node indices, every parent before its children, otherwise in the order given. Throws atelier::Error naming the
+/// node at a cycle or a parent out of range. Takes time linear in the number of nodes, and no recursion.
 std::vector<int> parents_first(const std::vector<Node>& nodes);
 
 /// World matrices of all nodes, in double precision: the truth beside which step 01's own are judged, and what the

@@ -26,10 +26,14 @@ glm::dvec2 circle_point(int i, int n) {
   const double angle = 2 * std::numbers::pi * (double(i) - double(quarters * n) / 4) / n;
   const glm::dvec2 p(std::cos(angle), std::sin(angle));
   switch (quarters) {
-    case 0: return p;
-    case 1: return {-p.y, p.x};
-    case 2: return {-p.x, -p.y};
-    default: return {p.y, -p.x};
+    case 0:
+      return p;
+    case 1:
+      return {-p.y, p.x};
+    case 2:
+      return {-p.x, -p.y};
+    default:
+      return {p.y, -p.x};
   }
 }
 

@@ -13,8 +13,8 @@ void require_count(const char* shape, const char* name, int value, int low, int 
 /// Throws Error unless 1e-6 <= value <= 1e6 metres; NaN fails too.
 void require_length(const char* shape, const char* name, float value);
 
-/// (cos, sin) of the i-th of n equal steps around a circle. Whole turns give the same bits (i = n is i = 0), and quarter
-/// turns are exact: seams close, and a box's worth of a circle is a square.
+/// (cos, sin) of the i-th of n equal steps around a circle. Whole turns give the same bits (i = n is i = 0), and
+/// quarter turns are exact: seams close, and a box's worth of a circle is a square.
 glm::dvec2 circle_point(int i, int n);
 
 /// The corner (column, row) of a grid: column 0..columns, row 0..rows.

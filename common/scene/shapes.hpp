@@ -1,5 +1,6 @@
-// Shapes made by arithmetic. Each is a Mesh in its own object space (metres, +y up, counter-clockwise from outside) with
-// unit normals and texture coordinates; each checks its measures and throws atelier::Error naming the one out of range.
+// Shapes made by arithmetic. Each is a Mesh in its own object space (metres, +y up, counter-clockwise from outside)
+// with unit normals and texture coordinates; each checks its measures and throws atelier::Error naming the one out of
+// range.
 //
 //   Mesh globe = make_sphere({.radius = 0.5f, .segments = 64});
 //
@@ -40,35 +41,36 @@ struct TorusShape {
 };
 Mesh make_torus(const TorusShape& shape = {});
 
-/// A box around the origin: 24 vertices, four a face, so that its edges are sharp. Each face shows the whole texture once.
+/// A box around the origin: 24 vertices, four a face, so that its edges are sharp. Each face shows the whole texture
+/// once.
 struct BoxShape {
-  glm::vec3 size{1};              ///< metres along x, y, z
-  Side side = Side::outside;      ///< inside: a room
+  glm::vec3 size{1};          ///< metres along x, y, z
+  Side side = Side::outside;  ///< inside: a room
 };
 Mesh make_box(const BoxShape& shape = {});
 
 /// A rectangle in the xz plane around the origin that faces +y. u runs along +x, v along -z: seen from above with -z
 /// ahead, the texture stands upright.
 struct PlaneShape {
-  float width = 1, depth = 1;        ///< metres along x and z
-  glm::vec2 repeat{1};               ///< how often the texture is laid side by side along u and v, 1e-3 .. 1e4
-  int columns = 1, rows = 1;         ///< quads along x and z, 1..4096 (per-vertex lighting needs many)
+  float width = 1, depth = 1;  ///< metres along x and z
+  glm::vec2 repeat{1};         ///< how often the texture is laid side by side along u and v, 1e-3 .. 1e4
+  int columns = 1, rows = 1;   ///< quads along x and z, 1..4096 (per-vertex lighting needs many)
 };
 Mesh make_plane(const PlaneShape& shape = {});
 
-/// The wall of an upright cylinder of n flat sides: y from 0 to height, without floor and ceiling. The corners lie on the
-/// circle, so the wall is nearest to the axis in the middle of a side: by R (1 - cos(pi / n)), the sagitta. Normals are
-/// the circle's own (smooth). u runs once around: counter-clockwise from above when it is seen from outside, clockwise
-/// from inside, so that a picture reads from left to right on both; v runs up. A corner stands at +x.
+/// The wall of an upright cylinder of n flat sides: y from 0 to height, without floor and ceiling. The corners lie on
+/// the circle, so the wall is nearest to the axis in the middle of a side: by R (1 - cos(pi / n)), the sagitta. Normals
+/// are the circle's own (smooth). u runs once around: counter-clockwise from above when it is seen from outside,
+/// clockwise from inside, so that a picture reads from left to right on both; v runs up. A corner stands at +x.
 struct CylinderWallShape {
   float radius = 1, height = 1;
-  int segments = 48;             ///< 3..65536
+  int segments = 48;  ///< 3..65536
   Side side = Side::outside;
 };
 Mesh make_cylinder_wall(const CylinderWallShape& shape = {});
 
-/// A flat disc in the xz plane around the origin that faces +y, corners as in make_cylinder_wall. The texture's inscribed
-/// circle covers it, upright as on make_plane.
+/// A flat disc in the xz plane around the origin that faces +y, corners as in make_cylinder_wall. The texture's
+/// inscribed circle covers it, upright as on make_plane.
 struct DiscShape {
   float radius = 1;
   int segments = 48;  ///< 3..65536
@@ -82,11 +84,11 @@ struct CylinderShape {
 };
 Mesh make_cylinder(const CylinderShape& shape = {});
 
-/// A solid cone with its base on y = 0 and its tip on the y axis. Closed. The normals along the slope are the cone's own;
-/// the tip is one vertex a segment, each with the normal of its segment's middle.
+/// A solid cone with its base on y = 0 and its tip on the y axis. Closed. The normals along the slope are the cone's
+/// own; the tip is one vertex a segment, each with the normal of its segment's middle.
 struct ConeShape {
   float radius = 1, height = 1;
-  int segments = 48;  ///< 3..65536
+  int segments = 48;  ///< 3..32768
 };
 Mesh make_cone(const ConeShape& shape = {});
 
@@ -95,7 +97,7 @@ Mesh make_cone(const ConeShape& shape = {});
 /// or along it.
 struct TeapotShape {
   float height = 1;       ///< metres from the table to the knob's top; it is 2.07 times as long as it is high
-  int subdivisions = 10;  ///< quads along a patch's side, 1..64
+  int subdivisions = 10;  ///< quads along a patch's side, 2..64 (with one, handle and spout would be flat)
 };
 Mesh make_teapot(const TeapotShape& shape = {});
 

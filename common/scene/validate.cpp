@@ -29,9 +29,13 @@ bool finite(const Vector& v) {
   return true;
 }
 
-bool finite(const glm::mat4& m) { return finite(m[0]) && finite(m[1]) && finite(m[2]) && finite(m[3]); }
+bool finite(const glm::mat4& m) {
+  return finite(m[0]) && finite(m[1]) && finite(m[2]) && finite(m[3]);
+}
 
-bool finite_and_not_negative(const glm::vec3& v) { return finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0; }
+bool finite_and_not_negative(const glm::vec3& v) {
+  return finite(v) && v.x >= 0 && v.y >= 0 && v.z >= 0;
+}
 
 void check_index(const Context& context, const char* what, int index, std::size_t count) {
   if (index < 0 || std::size_t(index) >= count)
@@ -61,8 +65,8 @@ void check_material(const Context& context, const Material& material, const Scen
   context.require(finite_and_not_negative(material.emission), "emission must be finite and not negative");
   if (!(material.exponent >= 0 && material.exponent <= 1e6f))
     context.fail(fmt::format("exponent {} (allowed: 0..1000000)", material.exponent));
-  for (const TextureIndex& texture : {material.diffuse_texture, material.specular_texture, material.normal_texture,
-                                      material.height_texture})
+  for (const TextureIndex& texture :
+       {material.diffuse_texture, material.specular_texture, material.normal_texture, material.height_texture})
     if (texture) check_index(context, "texture", *texture, scene.textures.size());
 }
 
@@ -87,7 +91,8 @@ void check_node(const Context& context, const Node& node, const Scene& scene) {
 void check_light(const Context& context, const Light& light) {
   context.require(finite_and_not_negative(light.colour), "colour must be finite and not negative");
   if (light.type != LightType::point)
-    context.require(finite(light.direction) && light.direction != glm::vec3(0), "direction must be finite and not zero");
+    context.require(finite(light.direction) && light.direction != glm::vec3(0),
+                    "direction must be finite and not zero");
   if (light.type == LightType::directional) return;
   context.require(finite(light.position), "position must be finite");
   context.require(finite_and_not_negative(light.attenuation) && light.attenuation != glm::vec3(0),
@@ -113,7 +118,8 @@ void check_camera(const Context& context, const Camera& camera) {
   // The limit is meant as 179 degrees exactly; the slack forgives the last bit of a conversion from degrees.
   constexpr float widest = 179.0f / 180.0f * std::numbers::pi_v<float> + 1e-6f;
   if (!(camera.fov_y > 0 && camera.fov_y <= widest))
-    context.fail(fmt::format("vertical angle of view {} radians (allowed: above 0, at most 179 degrees)", camera.fov_y));
+    context.fail(
+        fmt::format("vertical angle of view {} radians (allowed: above 0, at most 179 degrees)", camera.fov_y));
 }
 
 }  // namespace

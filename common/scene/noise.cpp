@@ -1,0 +1,53 @@
+#include "scene/noise.hpp"
+
+namespace atelier {
+namespace {
+
+std::uint64_t mix_bits(std::uint64_t z) {
+  z += 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+double fade(double t) {
+  return t * t * t * (t * (t * 6 - 15) + 10);
+}
+
+std::int64_t wrap(std::int64_t i, std::int64_t period) {
+  return ((i % period) + period) % period;
+}
+
+}  // namespace
+
+std::uint64_t hash(std::uint64_t seed, std::int64_t x, std::int64_t y) {
+  return mix_bits(mix_bits(mix_bits(seed) ^ std::uint64_t(x)) ^ std::uint64_t(y));
+}
+
+double hash01(std::uint64_t seed, std::int64_t x, std::int64_t y) {
+  return double(hash(seed, x, y) >> 11) * 0x1p-53;
+}
+
+double value_noise(std::uint64_t seed, glm::dvec2 p, glm::ivec2 period) {
+  const glm::dvec2 cell = glm::floor(p);
+  const double u = fade(p.x - cell.x), v = fade(p.y - cell.y);
+  const auto x0 = std::int64_t(cell.x), y0 = std::int64_t(cell.y);
+  const auto corner = [&](int dx, int dy) { return hash01(seed, wrap(x0 + dx, period.x), wrap(y0 + dy, period.y)); };
+  const double below = (1 - u) * corner(0, 0) + u * corner(1, 0);
+  const double above = (1 - u) * corner(0, 1) + u * corner(1, 1);
+  return (1 - v) * below + v * above;
+}
+
+double fractal_noise(std::uint64_t seed, glm::dvec2 p, glm::ivec2 period, int octaves) {
+  double sum = 0, weight = 1, total = 0;
+  for (int octave = 0; octave < octaves; ++octave) {
+    sum += weight * value_noise(seed + octave, p, period);
+    total += weight;
+    weight /= 2;
+    p *= 2.0;
+    period *= 2;
+  }
+  return sum / total;
+}
+
+}  // namespace atelier

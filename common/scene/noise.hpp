@@ -1,0 +1,25 @@
+// Noise without state: a hash turns grid positions into numbers, so that any pixel can be asked for in any order, on
+// any machine, and gives the same bits. Only integer operations and + - * / of doubles are used, which IEEE 754 rounds
+// alike everywhere; sine and power are not among them.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+
+namespace atelier {
+
+/// 64 well-mixed bits from three numbers: the finalizer of splitmix64 (Steele, Lea, Flood, "Fast splittable
+/// pseudorandom number generators", 2014) applied to each in turn.
+std::uint64_t hash(std::uint64_t seed, std::int64_t x, std::int64_t y);
+
+/// The same as a number, 0 <= r < 1, in steps of 2^-53.
+double hash01(std::uint64_t seed, std::int64_t x, std::int64_t y);
+
+/// Smooth noise 0..1: hashed values at the integer grid, blended by 6t^5 - 15t^4 + 10t^3 (Perlin, "Improving noise",
+/// 2002: continuous second derivative). Repeats after `period` grid cells along x and y; each at least 1.
+double value_noise(std::uint64_t seed, glm::dvec2 p, glm::ivec2 period);
+
+/// Sum of `octaves` noises, each at twice the frequency and half the weight, scaled to 0..1. Repeats after `period`.
+double fractal_noise(std::uint64_t seed, glm::dvec2 p, glm::ivec2 period, int octaves);
+
+}  // namespace atelier
