@@ -30,13 +30,25 @@ double lab_curve(double t) {
 
 }  // namespace
 
-float srgb_encode(float linear) { return encode(linear); }
-double srgb_encode(double linear) { return encode(linear); }
-float srgb_decode(float encoded) { return decode(encoded); }
-double srgb_decode(double encoded) { return decode(encoded); }
+float srgb_encode(float linear) {
+  return encode(linear);
+}
+double srgb_encode(double linear) {
+  return encode(linear);
+}
+float srgb_decode(float encoded) {
+  return decode(encoded);
+}
+double srgb_decode(double encoded) {
+  return decode(encoded);
+}
 
-Rgba srgb_encode(const Rgba& c) { return {encode(c.r), encode(c.g), encode(c.b), c.a}; }
-Rgba srgb_decode(const Rgba& c) { return {decode(c.r), decode(c.g), decode(c.b), c.a}; }
+Rgba srgb_encode(const Rgba& c) {
+  return {encode(c.r), encode(c.g), encode(c.b), c.a};
+}
+Rgba srgb_decode(const Rgba& c) {
+  return {decode(c.r), decode(c.g), decode(c.b), c.a};
+}
 
 Image srgb_encode(const Image& linear) {
   return each_pixel(linear, [](const Rgba& pixel) { return srgb_encode(pixel); });

@@ -1,9 +1,9 @@
 // Colour: from light to the numbers that a screen is sent, and to spaces in which distances mean something to an eye.
 //
 //   linear RGB  -- proportional to light; Rec. 709 primaries, white D65. What shaders compute in.
-//   sRGB        -- the same, encoded by a curve that spends its codes where eyes see steps. What files and screens hold.
-//   XYZ         -- the CIE 1931 colour that every display can agree on; Y is luminance.
-//   L*a*b*      -- roughly perceptually even: one unit is about one just visible step.
+//   sRGB        -- the same, encoded by a curve that spends its codes where eyes see steps. What files and screens
+//   hold. XYZ         -- the CIE 1931 colour that every display can agree on; Y is luminance. L*a*b*      -- roughly
+//   perceptually even: one unit is about one just visible step.
 //
 // Sources: IEC 61966-2-1 (sRGB), ITU-R BT.709 (primaries, white), CIE 15 (L*a*b*).
 #pragma once
@@ -19,8 +19,8 @@ enum class Encoding {
   data,    ///< no colour at all: normals, depth, masks; never converted
 };
 
-/// The sRGB curve: 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) - 0.055. Exact to rounding. Below zero the straight part
-/// goes on, above one the power does, NaN stays NaN and +infinity stays: nothing is clamped here.
+/// The sRGB curve: 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) - 0.055. Exact to rounding. Below zero the straight
+/// part goes on, above one the power does, NaN stays NaN and +infinity stays: nothing is clamped here.
 float srgb_encode(float linear);
 double srgb_encode(double linear);
 
@@ -35,7 +35,9 @@ Image srgb_encode(const Image& linear);
 Image srgb_decode(const Image& encoded);
 
 /// Relative luminance Y of a linear colour, 1 for white: 0.2126 r + 0.7152 g + 0.0722 b (BT.709).
-inline float luminance(const Rgba& linear) { return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b; }
+inline float luminance(const Rgba& linear) {
+  return 0.2126f * linear.r + 0.7152f * linear.g + 0.0722f * linear.b;
+}
 
 struct Xyz {
   double x = 0, y = 0, z = 0;  ///< white has y = 1
@@ -94,7 +96,8 @@ inline constexpr Matrix3 xyz_to_linear_matrix = detail::inverse(linear_to_xyz_ma
 Xyz linear_to_xyz(const Rgba& linear);
 Rgba xyz_to_linear(const Xyz& xyz);  ///< opacity 1; may lie outside 0..1
 
-/// L*a*b* relative to D65; the straight part of its curve goes on below zero, so every finite input has a finite output.
+/// L*a*b* relative to D65; the straight part of its curve goes on below zero, so every finite input has a finite
+/// output.
 Lab xyz_to_lab(const Xyz& xyz);
 
 }  // namespace atelier

@@ -15,7 +15,8 @@ struct Rgba {
 };
 
 /// Float RGBA pixels, row 0 at the top, rows from left to right, without padding. Linear unless the user of the image
-/// says otherwise. Values are kept as they are: above one, negative, NaN and infinity survive, so that they can be found.
+/// says otherwise. Values are kept as they are: above one, negative, NaN and infinity survive, so that they can be
+/// found.
 class Image {
  public:
   Image() = default;
