@@ -21,15 +21,16 @@ constexpr std::size_t max_file = 16 << 20;  // bytes of a case file
 constexpr std::size_t max_inputs = 4096;    // sets of arguments of one probe
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Members that only a picture has; `settings` and `name` belong to both kinds.
-const std::vector<std::string> picture_members = {"scene", "camera", "size", "output"};
-const std::vector<std::string> probe_members = {"probe", "inputs"};
+/// Members of one kind of case alone; the first few of each are the program's, the rest the judge's.
+const std::vector<std::string> picture_members = {"scene", "camera", "size",     "output", "profile",   "unit",
+                                                  "delta", "budget", "exposure", "reason", "references"};
+const std::vector<std::string> probe_members = {"probe", "inputs", "expected", "expected_from", "tolerance"};
+const std::vector<std::string> shared_members = {"name",   "settings", "title",   "asked",     "hint", "tier",
+                                                 "points", "student",  "rejects", "functions", "needs"};
 
 std::vector<std::string> known_members() {
-  std::vector<std::string> known = {"name", "settings"};
-  for (const auto* more : {&picture_members, &probe_members, &judged_members()}) {
-    known.insert(known.end(), more->begin(), more->end());
-  }
+  std::vector<std::string> known = shared_members;
+  for (const auto* more : {&picture_members, &probe_members}) known.insert(known.end(), more->begin(), more->end());
   return known;
 }
 
@@ -137,14 +138,6 @@ Json camera_to_json(const CaseCamera& camera) {
 
 }  // namespace
 
-const std::vector<std::string>& judged_members() {
-  static const std::vector<std::string> members = {"title",      "asked",    "hint",          "tier",     "points",
-                                                   "student",    "rejects",  "functions",     "needs",    "profile",
-                                                   "unit",       "delta",    "budget",        "exposure", "reason",
-                                                   "references", "expected", "expected_from", "tolerance"};
-  return members;
-}
-
 Case parse_case(const Json& object, const std::string& where) {
   if (!object.is_object()) strict_json::refuse(object, where, "an object {...}");
   Case c;
@@ -203,11 +196,9 @@ Json with_defaults(const Json& defaults, const Json& object, const std::string& 
       own = std::move(all);
     }
   }
-  // A file's pictures share a scene and a size; its probes have neither, and must not inherit one.
-  if (object.contains("probe")) {
-    for (const std::string& member : picture_members) {
-      if (!object.contains(member)) merged.erase(member);
-    }
+  // A file's pictures share a scene and a size, its probes a tolerance: neither kind inherits what is the other's.
+  for (const std::string& member : object.contains("probe") ? picture_members : probe_members) {
+    if (!object.contains(member)) merged.erase(member);
   }
   return merged;
 }

@@ -61,9 +61,6 @@ Case parse_case(const nlohmann::json& object, const std::string& where);
 /// The JSON that parse_case reads: what the judge hands to the program.
 nlohmann::json to_json(const Case& c);
 
-/// Members of a case object that only the judge reads (points, title, tolerance ...).
-const std::vector<std::string>& judged_members();
-
 /// `object` with the members of `defaults` that it does not have itself; `settings` and `camera` are completed member
 /// by member. A probe takes no picture members from the defaults.
 nlohmann::json with_defaults(const nlohmann::json& defaults, const nlohmann::json& object, const std::string& where);

@@ -1,4 +1,41 @@
 // A case as the judge knows it: what the program is asked, and what is thought of the answer.
+//
+// tests/cases/NN-name/cases.json holds the cases of a step. tests/cases/README.md explains how to add one; this is the
+// schema. Members without a default must be there; every other member is refused.
+//
+//   {"schema": 1, "step": "02-blinn-phong", "title": TEXT,
+//    "defaults": {any member of a case but its name},       none; settings and camera are completed member by member
+//    "cases": [CASE, ...]}
+//
+//   Of every CASE
+//     "name"       [a-z0-9-]+, at most 64, no two alike
+//     "title"      a few words for the report
+//     "asked"      one sentence: what the picture or the numbers must be
+//     "hint"       one sentence: what to try after a failure; may be missing where there are no points
+//     "tier"       "core" (default), "further", "challenge"
+//     "points"     0..1000
+//     "student"    true (default); false where the untouched skeleton may pass
+//     "rejects"    names of the mistakes that the case claims to catch; at least one where there are points
+//     "functions"  names of the student's functions that the case exercises
+//     "needs"      optional abilities of the driver; the case then has no points
+//     "settings"   {"shadow.resolution": 2048, ...}: what differs from the program's defaults
+//
+//   Of a picture
+//     "scene"      a built-in scene's name or a file
+//     "camera"     {"eye": [x,y,z], "target": [..], "up": [..], "fov_y_degrees", "near", "far"}: what is absent is the
+//     scene's "size"       [width, height] pixels, 1..4096; [256, 256] "output"     "colour" (default) or an
+//     intermediate that the program lists "profile"    "strict" (default), "robust", "exact" "unit"       "colour"
+//     (default), "encoded", "degrees", "number"; see Unit "delta"      how far a pixel may be off, in the unit: 3 for
+//     colours (default); required for degrees and numbers "budget"     pixels that may be over delta: 4 "exposure"
+//     factor before clamping, colour only: 1 "reason"     why delta and budget are what they are; required where they
+//     are not the default "references" accepted pictures beside the case file: ["NAME.exr"]
+//
+//   Of a probe
+//     "probe"      the function, as the program lists it
+//     "inputs"     [{"eye": [x,y,z], "count": 3, ...}, ...]; a matrix is its columns one after another
+//     "expected"   [[numbers of input 0], ...]; non-finite ones as "nan", "inf", "-inf"; or
+//     "expected_from": "reference"   they stand in NAME.values.json, written by the reference command
+//     "tolerance"  {"absolute", "relative", "ulp", "reason"}; without it numbers must be equal
 #pragma once
 
 #include <filesystem>
@@ -29,7 +66,7 @@ enum class Unit {
 struct Tolerance {
   double absolute = 0, relative = 0;  ///< |yours - expected| <= absolute + relative |expected|
   int ulp = 0;                        ///< or at most so many 32-bit floats apart
-  std::string reason;                 ///< why this large and no smaller; required
+  std::string reason;                 ///< why this large and no smaller; required unless all three are 0
 };
 
 /// What may follow from a case.
@@ -37,36 +74,37 @@ struct JudgedCase {
   Case ask;
   std::string title, asked, hint;
   double points = 0;
-  std::string tier = "core";          ///< core, further, challenge
-  bool student = true;                ///< false: the untouched skeleton may pass (a background, a given part)
-  std::vector<std::string> rejects;   ///< the mistakes that this case claims to catch
-  std::vector<std::string> functions; ///< what the student wrote that this case exercises
-  std::vector<std::string> needs;     ///< optional abilities of the driver ("clip_control"); the case then has no points
+  std::string tier = "core";           ///< core, further, challenge
+  bool student = true;                 ///< false: the untouched skeleton may pass (a background, a given part)
+  std::vector<std::string> rejects;    ///< the mistakes that this case claims to catch
+  std::vector<std::string> functions;  ///< what the student wrote that this case exercises
+  std::vector<std::string> needs;  ///< optional abilities of the driver ("clip_control"); the case then has no points
 
   // Of a picture
   Profile profile = Profile::strict;
   Unit unit = Unit::colour;
-  double delta = 3;                   ///< in the unit: 1/255, degrees, or the data's own
-  int budget = 4;                     ///< pixels that may be over delta
-  double exposure = 1;                ///< factor before clamping, colour only
-  std::string reason;                 ///< why delta and budget are what they are; required where they are not the default
-  std::vector<std::filesystem::path> references;  ///< accepted pictures, beside the case file
+  double delta = 3;     ///< in the unit: 1/255, degrees, or the data's own
+  int budget = 4;       ///< pixels that may be over delta
+  double exposure = 1;  ///< factor before clamping, colour only
+  std::string reason;   ///< why delta and budget are what they are; required where they are not the default
+  std::vector<std::filesystem::path> references;  ///< accepted pictures; the case file's folder stands before the name
 
   // Of a probe
-  std::vector<Numbers> expected;      ///< one list an input
+  std::vector<Numbers> expected;        ///< one list an input; empty where they stand in expected_file
+  std::filesystem::path expected_file;  ///< NAME.values.json beside the case file, or empty
   Tolerance tolerance;
 };
 
 /// All cases of a step.
 struct CaseFile {
   std::filesystem::path path;
-  std::string step;                   ///< "01-transforms"
+  std::string step;  ///< "01-transforms"
   std::string title;
   std::vector<JudgedCase> cases;
 };
 
-/// Reads and checks tests/cases/NN-name/cases.json. Throws Error naming the file, the case, the field, the value and what
-/// is allowed. Does not read the references.
+/// Reads and checks tests/cases/NN-name/cases.json. Throws Error naming the file, the case, the field, the value and
+/// what is allowed. Does not read the references.
 CaseFile read_case_file(const std::filesystem::path& path);
 
 }  // namespace atelier::judge

@@ -63,10 +63,17 @@ TEST_CASE("a probe's inputs are flattened, and survive with non-finite numbers a
 }
 
 TEST_CASE("a program is never handed what only the judge may know") {
-  json object = json::parse(full_picture);
-  for (const std::string& member : judged_members()) object[member] = "secret";
-  const json handed = to_json(parse_case(object, "f.json"));
-  CHECK(handed.dump().find("secret") == std::string::npos);
+  const char* const of_the_judge[] = {"title",   "asked",     "hint",   "tier",      "points", "student",
+                                      "rejects", "functions", "needs",  "profile",   "unit",   "delta",
+                                      "budget",  "exposure",  "reason", "references"};
+  json picture = json::parse(full_picture);
+  for (const char* member : of_the_judge) picture[member] = "secret";
+  const json probe = {
+      {"name", "p"}, {"probe", "f"}, {"inputs", {{{"x", 1}}}}, {"expected", "secret"}, {"tolerance", "secret"}};
+  for (const json& object : {picture, probe}) {
+    REQUIRE(object.dump().find("secret") != std::string::npos);
+    CHECK(to_json(parse_case(object, "f.json")).dump().find("secret") == std::string::npos);
+  }
 }
 
 TEST_CASE("broken cases are refused with file, case, member and what is allowed") {
