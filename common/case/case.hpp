@@ -52,17 +52,18 @@ struct Case {
   std::vector<Arguments> inputs;                 ///< of the probe
 };
 
-/// Reads one case from its JSON object; ignores judged_members(), and refuses every other member that it does not know.
-/// A picture needs `name` and `scene`; a probe needs `name`, `probe` and `inputs` and has no scene, camera, size or
-/// output. An input's value is a number, true, false, "nan", "inf", "-inf", or lists of these, flattened in order.
-/// Throws Error with `where` and the field: "cases.json: case 'sphere': size: ...".
+/// Reads one case from its JSON object. Skips the members that only the judge reads (points, hint, tolerance ...; all
+/// are listed in tests/cases/README.md) and refuses those that nobody knows, and those of a probe in a picture or the
+/// reverse. A picture needs `name` and `scene`; a probe needs `name`, `probe` and `inputs`, and an input's value is a
+/// number, true, false, "nan", "inf", "-inf", or lists of these, flattened in order. Throws Error with `where` and the
+/// field: "cases.json: case 'sphere': size: ...".
 Case parse_case(const nlohmann::json& object, const std::string& where);
 
 /// The JSON that parse_case reads: what the judge hands to the program.
 nlohmann::json to_json(const Case& c);
 
 /// `object` with the members of `defaults` that it does not have itself; `settings` and `camera` are completed member
-/// by member. A probe takes no picture members from the defaults.
+/// by member. A probe inherits no member that only pictures have, and the reverse.
 nlohmann::json with_defaults(const nlohmann::json& defaults, const nlohmann::json& object, const std::string& where);
 
 /// The case objects of a document {"schema": 1, "step", "title", "defaults": {...}, "cases": [...]}, each completed
