@@ -1,8 +1,8 @@
 // OpenGL's functions, as one object that is passed to whoever draws.
 //
-// `gl.BindBuffer(GL_ARRAY_BUFFER, id)` is what books write as `glBindBuffer(GL_ARRAY_BUFFER, id)`: same name without the
-// prefix, same arguments. There is no global state to load or to forget, no loader library (none works with OSMesa), and
-// the list below is exactly what this project uses.
+// `gl.BindBuffer(GL_ARRAY_BUFFER, id)` is what books write as `glBindBuffer(GL_ARRAY_BUFFER, id)`: same name without
+// the prefix, same arguments. There is no global state to load or to forget, no loader library (none works with
+// OSMesa), and the list below is exactly what this project uses.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -18,124 +18,126 @@ struct GlCounts {
   std::int64_t triangles = 0;         ///< asked for by them
   std::int64_t program_switches = 0;  ///< glUseProgram calls
   std::int64_t programs_linked = 0;   ///< shader variants built
-  std::int64_t texture_bytes = 0;     ///< allocated by glTexImage*
-  std::int64_t clears = 0;            ///< glClear* calls: one a pass, as a rule
+  std::int64_t texture_bytes = 0;  ///< allocated by glTexImage*, all levels and layers, by the formats' nominal sizes
+  std::int64_t clears = 0;         ///< glClear* calls: one a pass, as a rule
 };
 
 /// The functions: X(return type by glcorearb.h's typedef, name without the gl prefix).
-#define ATELIER_GL_FUNCTIONS(X)                                                                                    \
-  X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                                         \
-  X(PFNGLATTACHSHADERPROC, AttachShader)                                                                           \
-  X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                                                               \
-  X(PFNGLBINDBUFFERPROC, BindBuffer)                                                                               \
-  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                                       \
-  X(PFNGLBINDFRAGDATALOCATIONPROC, BindFragDataLocation)                                                           \
-  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                                     \
-  X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                                                                   \
-  X(PFNGLBINDTEXTUREPROC, BindTexture)                                                                             \
-  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                                     \
-  X(PFNGLBLENDFUNCPROC, BlendFunc)                                                                                 \
-  X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                                     \
-  X(PFNGLBUFFERDATAPROC, BufferData)                                                                               \
-  X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                                                         \
-  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                                       \
-  X(PFNGLCLEARPROC, Clear)                                                                                         \
-  X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                                                         \
-  X(PFNGLCLEARCOLORPROC, ClearColor)                                                                               \
-  X(PFNGLCLEARDEPTHPROC, ClearDepth)                                                                               \
-  X(PFNGLCLEARSTENCILPROC, ClearStencil)                                                                           \
-  X(PFNGLCOLORMASKPROC, ColorMask)                                                                                 \
-  X(PFNGLCOMPILESHADERPROC, CompileShader)                                                                         \
-  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                                         \
-  X(PFNGLCREATESHADERPROC, CreateShader)                                                                           \
-  X(PFNGLCULLFACEPROC, CullFace)                                                                                   \
-  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                                         \
-  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                                               \
-  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                                         \
-  X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                                                             \
-  X(PFNGLDELETESHADERPROC, DeleteShader)                                                                           \
-  X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                                       \
-  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                                               \
-  X(PFNGLDEPTHFUNCPROC, DepthFunc)                                                                                 \
-  X(PFNGLDEPTHMASKPROC, DepthMask)                                                                                 \
-  X(PFNGLDEPTHRANGEPROC, DepthRange)                                                                               \
-  X(PFNGLDISABLEPROC, Disable)                                                                                     \
-  X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray)                                                   \
-  X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                                               \
-  X(PFNGLDRAWBUFFERPROC, DrawBuffer)                                                                               \
-  X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                                                             \
-  X(PFNGLDRAWELEMENTSPROC, DrawElements)                                                                           \
-  X(PFNGLENABLEPROC, Enable)                                                                                       \
-  X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                                     \
-  X(PFNGLFINISHPROC, Finish)                                                                                       \
-  X(PFNGLFLUSHPROC, Flush)                                                                                         \
-  X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                                                     \
-  X(PFNGLFRAMEBUFFERTEXTUREPROC, FramebufferTexture)                                                               \
-  X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                                           \
-  X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer)                                                     \
-  X(PFNGLFRONTFACEPROC, FrontFace)                                                                                 \
-  X(PFNGLGENBUFFERSPROC, GenBuffers)                                                                               \
-  X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                                     \
-  X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                                                   \
-  X(PFNGLGENTEXTURESPROC, GenTextures)                                                                             \
-  X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                                     \
-  X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                                                       \
-  X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                                                                   \
-  X(PFNGLGETERRORPROC, GetError)                                                                                   \
-  X(PFNGLGETFLOATVPROC, GetFloatv)                                                                                 \
-  X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                                             \
-  X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv)                                                           \
-  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                                                 \
-  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                                           \
-  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                                   \
-  X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                                             \
-  X(PFNGLGETSTRINGPROC, GetString)                                                                                 \
-  X(PFNGLGETSTRINGIPROC, GetStringi)                                                                               \
-  X(PFNGLGETTEXIMAGEPROC, GetTexImage)                                                                             \
-  X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                                                       \
-  X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                                                                 \
-  X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                                               \
-  X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                                                 \
-  X(PFNGLISENABLEDPROC, IsEnabled)                                                                                 \
-  X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                                             \
-  X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                                             \
-  X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                                             \
-  X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                                                                         \
-  X(PFNGLREADBUFFERPROC, ReadBuffer)                                                                               \
-  X(PFNGLREADPIXELSPROC, ReadPixels)                                                                               \
-  X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                                                             \
-  X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample)                                       \
-  X(PFNGLSCISSORPROC, Scissor)                                                                                     \
-  X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                                           \
-  X(PFNGLSTENCILFUNCPROC, StencilFunc)                                                                             \
-  X(PFNGLSTENCILMASKPROC, StencilMask)                                                                             \
-  X(PFNGLSTENCILOPPROC, StencilOp)                                                                                 \
-  X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                                               \
-  X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                                               \
-  X(PFNGLTEXPARAMETERFPROC, TexParameterf)                                                                         \
-  X(PFNGLTEXPARAMETERFVPROC, TexParameterfv)                                                                       \
-  X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                                         \
-  X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                                                         \
-  X(PFNGLUNIFORM1FPROC, Uniform1f)                                                                                 \
-  X(PFNGLUNIFORM1FVPROC, Uniform1fv)                                                                               \
-  X(PFNGLUNIFORM1IPROC, Uniform1i)                                                                                 \
-  X(PFNGLUNIFORM2FPROC, Uniform2f)                                                                                 \
-  X(PFNGLUNIFORM2FVPROC, Uniform2fv)                                                                               \
-  X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                                                               \
-  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                                                               \
-  X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                                                                   \
-  X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                                                                   \
-  X(PFNGLUSEPROGRAMPROC, UseProgram)                                                                               \
-  X(PFNGLVERTEXATTRIB4FPROC, VertexAttrib4f)                                                                       \
-  X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                                             \
+#define ATELIER_GL_FUNCTIONS(X)                                              \
+  X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                   \
+  X(PFNGLATTACHSHADERPROC, AttachShader)                                     \
+  X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                         \
+  X(PFNGLBINDBUFFERPROC, BindBuffer)                                         \
+  X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                 \
+  X(PFNGLBINDFRAGDATALOCATIONPROC, BindFragDataLocation)                     \
+  X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                               \
+  X(PFNGLBINDRENDERBUFFERPROC, BindRenderbuffer)                             \
+  X(PFNGLBINDTEXTUREPROC, BindTexture)                                       \
+  X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                               \
+  X(PFNGLBLENDFUNCPROC, BlendFunc)                                           \
+  X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                               \
+  X(PFNGLBUFFERDATAPROC, BufferData)                                         \
+  X(PFNGLBUFFERSUBDATAPROC, BufferSubData)                                   \
+  X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                 \
+  X(PFNGLCLEARPROC, Clear)                                                   \
+  X(PFNGLCLEARBUFFERFVPROC, ClearBufferfv)                                   \
+  X(PFNGLCLEARCOLORPROC, ClearColor)                                         \
+  X(PFNGLCLEARDEPTHPROC, ClearDepth)                                         \
+  X(PFNGLCLEARSTENCILPROC, ClearStencil)                                     \
+  X(PFNGLCOLORMASKPROC, ColorMask)                                           \
+  X(PFNGLCOMPILESHADERPROC, CompileShader)                                   \
+  X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                   \
+  X(PFNGLCREATESHADERPROC, CreateShader)                                     \
+  X(PFNGLCULLFACEPROC, CullFace)                                             \
+  X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                   \
+  X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                         \
+  X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                   \
+  X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                       \
+  X(PFNGLDELETESHADERPROC, DeleteShader)                                     \
+  X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                 \
+  X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                         \
+  X(PFNGLDETACHSHADERPROC, DetachShader)                                     \
+  X(PFNGLDEPTHFUNCPROC, DepthFunc)                                           \
+  X(PFNGLDEPTHMASKPROC, DepthMask)                                           \
+  X(PFNGLDEPTHRANGEPROC, DepthRange)                                         \
+  X(PFNGLDISABLEPROC, Disable)                                               \
+  X(PFNGLDISABLEVERTEXATTRIBARRAYPROC, DisableVertexAttribArray)             \
+  X(PFNGLDRAWARRAYSPROC, DrawArrays)                                         \
+  X(PFNGLDRAWBUFFERPROC, DrawBuffer)                                         \
+  X(PFNGLDRAWBUFFERSPROC, DrawBuffers)                                       \
+  X(PFNGLDRAWELEMENTSPROC, DrawElements)                                     \
+  X(PFNGLENABLEPROC, Enable)                                                 \
+  X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)               \
+  X(PFNGLFINISHPROC, Finish)                                                 \
+  X(PFNGLFLUSHPROC, Flush)                                                   \
+  X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)               \
+  X(PFNGLFRAMEBUFFERTEXTUREPROC, FramebufferTexture)                         \
+  X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                     \
+  X(PFNGLFRAMEBUFFERTEXTURELAYERPROC, FramebufferTextureLayer)               \
+  X(PFNGLFRONTFACEPROC, FrontFace)                                           \
+  X(PFNGLGENBUFFERSPROC, GenBuffers)                                         \
+  X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                               \
+  X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                             \
+  X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
+  X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
+  X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                 \
+  X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                             \
+  X(PFNGLGETERRORPROC, GetError)                                             \
+  X(PFNGLGETFLOATVPROC, GetFloatv)                                           \
+  X(PFNGLGETINTEGERVPROC, GetIntegerv)                                       \
+  X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv)                     \
+  X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                           \
+  X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                     \
+  X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                             \
+  X(PFNGLGETSHADERIVPROC, GetShaderiv)                                       \
+  X(PFNGLGETSTRINGPROC, GetString)                                           \
+  X(PFNGLGETSTRINGIPROC, GetStringi)                                         \
+  X(PFNGLGETTEXIMAGEPROC, GetTexImage)                                       \
+  X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                 \
+  X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                           \
+  X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                         \
+  X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                           \
+  X(PFNGLISENABLEDPROC, IsEnabled)                                           \
+  X(PFNGLLINKPROGRAMPROC, LinkProgram)                                       \
+  X(PFNGLPIXELSTOREIPROC, PixelStorei)                                       \
+  X(PFNGLPOLYGONMODEPROC, PolygonMode)                                       \
+  X(PFNGLPOLYGONOFFSETPROC, PolygonOffset)                                   \
+  X(PFNGLREADBUFFERPROC, ReadBuffer)                                         \
+  X(PFNGLREADPIXELSPROC, ReadPixels)                                         \
+  X(PFNGLRENDERBUFFERSTORAGEPROC, RenderbufferStorage)                       \
+  X(PFNGLRENDERBUFFERSTORAGEMULTISAMPLEPROC, RenderbufferStorageMultisample) \
+  X(PFNGLSCISSORPROC, Scissor)                                               \
+  X(PFNGLSHADERSOURCEPROC, ShaderSource)                                     \
+  X(PFNGLSTENCILFUNCPROC, StencilFunc)                                       \
+  X(PFNGLSTENCILMASKPROC, StencilMask)                                       \
+  X(PFNGLSTENCILOPPROC, StencilOp)                                           \
+  X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                         \
+  X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                         \
+  X(PFNGLTEXPARAMETERFPROC, TexParameterf)                                   \
+  X(PFNGLTEXPARAMETERFVPROC, TexParameterfv)                                 \
+  X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                   \
+  X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                   \
+  X(PFNGLUNIFORM1FPROC, Uniform1f)                                           \
+  X(PFNGLUNIFORM1FVPROC, Uniform1fv)                                         \
+  X(PFNGLUNIFORM1IPROC, Uniform1i)                                           \
+  X(PFNGLUNIFORM2FPROC, Uniform2f)                                           \
+  X(PFNGLUNIFORM2FVPROC, Uniform2fv)                                         \
+  X(PFNGLUNIFORM3FVPROC, Uniform3fv)                                         \
+  X(PFNGLUNIFORM4FVPROC, Uniform4fv)                                         \
+  X(PFNGLUNIFORMMATRIX3FVPROC, UniformMatrix3fv)                             \
+  X(PFNGLUNIFORMMATRIX4FVPROC, UniformMatrix4fv)                             \
+  X(PFNGLUSEPROGRAMPROC, UseProgram)                                         \
+  X(PFNGLGETVERTEXATTRIBPOINTERVPROC, GetVertexAttribPointerv)               \
+  X(PFNGLVERTEXATTRIB4FPROC, VertexAttrib4f)                                 \
+  X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                       \
   X(PFNGLVIEWPORTPROC, Viewport)
 
-/// The loaded functions of the current context. Made by a Context; valid while that lives and is current.
+/// The loaded functions of the current context. Made by a context; valid while that lives and is current.
 class Gl {
  public:
   using Resolver = void* (*)(const char* name);  ///< "glClear" to its address, or null
 
-  /// Throws Error naming the first function that the context lacks.
+  /// Throws Error naming the first function that the context lacks, or its version where that is below 3.3.
   explicit Gl(Resolver resolve);
   Gl(const Gl&) = delete;
   Gl& operator=(const Gl&) = delete;
@@ -165,14 +167,16 @@ class Gl {
   mutable GlCounts counts;
 
   bool has_extension(const char* name) const;
-  int version() const { return version_; }  ///< 33 for 3.3
-  std::string description() const;          ///< "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"
+  int version() const {
+    return version_;
+  }                                 ///< 33 for 3.3
+  std::string description() const;  ///< "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"
 
  private:
   int version_ = 0;
 };
 
-/// Throws Error with `doing` and the name of the error where OpenGL's error flag is set.
+/// Throws Error with `doing` and the names of the errors where OpenGL's error flags are set; clears them.
 void check_gl_error(const Gl& gl, const char* doing);
 
 }  // namespace atelier

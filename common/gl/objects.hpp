@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "gl/gl.hpp"
-#include "image/image.hpp"
 
 namespace atelier {
 
@@ -12,7 +11,7 @@ namespace atelier {
 template <class Kind>
 class GlObject {
  public:
-  GlObject() = default;                                      ///< holds nothing
+  GlObject() = default;  ///< holds nothing
   explicit GlObject(Gl& gl) : gl_(&gl), id_(Kind::make(gl)) {}
   GlObject(Gl& gl, GLuint adopted) : gl_(&gl), id_(adopted) {}  ///< takes over an object that was made elsewhere
   GlObject(GlObject&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
@@ -32,15 +31,15 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-#define ATELIER_GL_KIND(Name, Generate, Delete)                           \
-  struct Name##Kind {                                                     \
-    static GLuint make(Gl& gl) {                                          \
-      GLuint id = 0;                                                      \
-      gl.Generate(1, &id);                                                \
-      return id;                                                          \
-    }                                                                     \
-    static void remove(Gl& gl, GLuint id) { gl.Delete(1, &id); }          \
-  };                                                                      \
+#define ATELIER_GL_KIND(Name, Generate, Delete)                  \
+  struct Name##Kind {                                            \
+    static GLuint make(Gl& gl) {                                 \
+      GLuint id = 0;                                             \
+      gl.Generate(1, &id);                                       \
+      return id;                                                 \
+    }                                                            \
+    static void remove(Gl& gl, GLuint id) { gl.Delete(1, &id); } \
+  };                                                             \
   using Name = GlObject<Name##Kind>;
 ATELIER_GL_KIND(GlBuffer, GenBuffers, DeleteBuffers)
 ATELIER_GL_KIND(GlVertexArray, GenVertexArrays, DeleteVertexArrays)
@@ -54,5 +53,11 @@ struct GlProgramKind {
   static void remove(Gl& gl, GLuint id) { gl.DeleteProgram(id); }
 };
 using GlProgram = GlObject<GlProgramKind>;
+
+/// A shader is made for one stage, so it is always adopted: GlShader(gl, gl.CreateShader(GL_VERTEX_SHADER)).
+struct GlShaderKind {
+  static void remove(Gl& gl, GLuint id) { gl.DeleteShader(id); }
+};
+using GlShader = GlObject<GlShaderKind>;
 
 }  // namespace atelier

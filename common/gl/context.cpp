@@ -1,0 +1,64 @@
+#include "gl/context.hpp"
+
+#include "base/error.hpp"
+#include "gl/context_kinds.hpp"
+
+namespace atelier {
+namespace {
+
+thread_local bool thread_has_context = false;
+
+}  // namespace
+
+CurrentContext::CurrentContext() {
+  if (thread_has_context) throw Error("this thread has an OpenGL context already: end that one before making another");
+  thread_has_context = true;
+}
+
+CurrentContext::~CurrentContext() {
+  thread_has_context = false;
+}
+
+std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind) {
+  switch (kind) {
+    case ContextKind::osmesa:
+      return make_osmesa_context();
+    case ContextKind::egl:
+      return make_egl_context();
+    case ContextKind::window:
+      return make_window_context();
+  }
+  throw Error("unknown kind of context");
+}
+
+std::unique_ptr<HeadlessContext> make_headless_context() {
+  try {
+    return make_osmesa_context();
+  } catch (const Error& without_osmesa) {
+    try {
+      return make_egl_context();
+    } catch (const Error& without_egl) {
+      throw Error(std::string(without_osmesa.what()) + "; and " + without_egl.what());
+    }
+  }
+}
+
+std::string to_string(ContextKind kind) {
+  switch (kind) {
+    case ContextKind::osmesa:
+      return "osmesa";
+    case ContextKind::egl:
+      return "egl";
+    case ContextKind::window:
+      return "window";
+  }
+  return "unknown";
+}
+
+ContextKind parse_context_kind(const std::string& text) {
+  for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl, ContextKind::window})
+    if (text == to_string(kind)) return kind;
+  throw Error("context '" + text + "' is none of osmesa, egl, window");
+}
+
+}  // namespace atelier

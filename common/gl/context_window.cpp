@@ -1,0 +1,14 @@
+// A hidden window's context. GLFW stands in a module of its own, so that headless programs neither load nor need it.
+#include "base/module.hpp"
+#include "gl/context_kinds.hpp"
+
+namespace atelier {
+
+std::unique_ptr<HeadlessContext> make_window_context() {
+  // Made by window_module.cpp; owned by the caller.
+  using Make = HeadlessContext* (*)();
+  const auto make = reinterpret_cast<Make>(module_symbol("atelier-window-context", "atelier_make_window_context"));
+  return std::unique_ptr<HeadlessContext>(make());
+}
+
+}  // namespace atelier

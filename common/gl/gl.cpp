@@ -1,0 +1,154 @@
+#include "gl/gl.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "gl/texel.hpp"
+
+namespace atelier {
+namespace {
+
+// ---- What is counted
+
+std::int64_t triangles_of(GLenum mode, GLsizei corners) {
+  switch (mode) {
+    case GL_TRIANGLES:
+      return corners / 3;
+    case GL_TRIANGLE_STRIP:
+    case GL_TRIANGLE_FAN:
+      return std::max(corners - 2, 0);
+    default:
+      return 0;
+  }
+}
+
+void count_draw(GlCounts& counts, GLenum mode, GLsizei corners) {
+  ++counts.draws;
+  counts.triangles += triangles_of(mode, corners);
+}
+
+void count_texture(GlCounts& counts, GLint internal_format, std::int64_t texels) {
+  counts.texture_bytes += texels * texel_bytes(GLenum(internal_format));
+}
+
+void count_functions(Gl& gl) {
+  gl.DrawArrays.count = [](GlCounts& c, GLenum mode, GLint, GLsizei corners) { count_draw(c, mode, corners); };
+  gl.DrawElements.count = [](GlCounts& c, GLenum mode, GLsizei corners, GLenum, const void*) {
+    count_draw(c, mode, corners);
+  };
+  gl.UseProgram.count = [](GlCounts& c, GLuint) { ++c.program_switches; };
+  gl.LinkProgram.count = [](GlCounts& c, GLuint) { ++c.programs_linked; };
+  gl.Clear.count = [](GlCounts& c, GLbitfield) { ++c.clears; };
+  gl.ClearBufferfv.count = [](GlCounts& c, GLenum, GLint, const GLfloat*) { ++c.clears; };
+  gl.TexImage2D.count = [](GlCounts& c, GLenum, GLint, GLint format, GLsizei width, GLsizei height, GLint, GLenum,
+                           GLenum, const void*) { count_texture(c, format, std::int64_t(width) * height); };
+  gl.TexImage3D.count = [](GlCounts& c, GLenum, GLint, GLint format, GLsizei width, GLsizei height, GLsizei depth,
+                           GLint, GLenum, GLenum,
+                           const void*) { count_texture(c, format, std::int64_t(width) * height * depth); };
+}
+
+// ---- What is loaded
+
+template <class Function>
+bool resolve_into(Function& function, Gl::Resolver resolve, const char* name, GlCounts& counts) {
+  function.call = reinterpret_cast<decltype(function.call)>(resolve(name));
+  function.counts = &counts;
+  return function.call != nullptr;
+}
+
+std::string text_of(const GLubyte* text) {
+  return text ? reinterpret_cast<const char*>(text) : "unknown";
+}
+
+const char* error_name(GLenum error) {
+  switch (error) {
+    case GL_INVALID_ENUM:
+      return "GL_INVALID_ENUM";
+    case GL_INVALID_VALUE:
+      return "GL_INVALID_VALUE";
+    case GL_INVALID_OPERATION:
+      return "GL_INVALID_OPERATION";
+    case GL_INVALID_FRAMEBUFFER_OPERATION:
+      return "GL_INVALID_FRAMEBUFFER_OPERATION";
+    case GL_OUT_OF_MEMORY:
+      return "GL_OUT_OF_MEMORY";
+    default:
+      return "an unknown error";
+  }
+}
+
+}  // namespace
+
+Gl::Gl(Resolver resolve) {
+#define ATELIER_GL_LOAD(type, name)                     \
+  if (!resolve_into(name, resolve, "gl" #name, counts)) \
+    throw Error("this OpenGL context lacks gl" #name    \
+                ", and 3.3 core is needed: update the graphics driver, or draw with --context osmesa or egl");
+  ATELIER_GL_FUNCTIONS(ATELIER_GL_LOAD)
+#undef ATELIER_GL_LOAD
+  count_functions(*this);
+
+  GLint major = 0, minor = 0;
+  GetIntegerv(GL_MAJOR_VERSION, &major);
+  GetIntegerv(GL_MINOR_VERSION, &minor);
+  version_ = 10 * major + minor;
+  if (version_ < 33)
+    throw Error(fmt::format("this OpenGL context is {}.{} ({}), and 3.3 core is needed", major, minor,
+                            text_of(GetString(GL_RENDERER))));
+
+  // Asked for by version or extension first: some resolvers answer every name, known or not.
+  if (version_ >= 45 || has_extension("GL_ARB_clip_control"))
+    resolve_into(ClipControl, resolve, "glClipControl", counts);
+}
+
+bool Gl::has_extension(const char* name) const {
+  GLint extensions = 0;
+  GetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+  for (GLint i = 0; i < extensions; ++i)
+    if (std::strcmp(text_of(GetStringi(GL_EXTENSIONS, GLuint(i))).c_str(), name) == 0) return true;
+  return false;
+}
+
+std::string Gl::description() const {
+  return text_of(GetString(GL_RENDERER)) + ", " + text_of(GetString(GL_VERSION));
+}
+
+void check_gl_error(const Gl& gl, const char* doing) {
+  std::string names;
+  // There is one flag per kind of error; a lost context may answer for ever.
+  for (int flags = 0; flags < 8; ++flags) {
+    const GLenum error = gl.GetError();
+    if (error == GL_NO_ERROR) break;
+    names += fmt::format("{}{} (0x{:04x})", names.empty() ? "" : ", ", error_name(error), error);
+  }
+  if (!names.empty()) throw Error(fmt::format("OpenGL reports {} while {}", names, doing));
+}
+
+std::int64_t texel_bytes(GLenum internal_format) {
+  switch (internal_format) {
+    case GL_R8:
+    case GL_STENCIL_INDEX8:
+      return 1;
+    case GL_RG8:
+    case GL_R16F:
+    case GL_DEPTH_COMPONENT16:
+      return 2;
+    case GL_RG16F:
+      return 4;
+    case GL_RG32F:
+    case GL_RGB16F:
+    case GL_RGBA16F:
+    case GL_DEPTH32F_STENCIL8:
+      return 8;
+    case GL_RGB32F:
+    case GL_RGBA32F:
+      return 16;
+    default:
+      return 4;  // RGB8, RGBA8, their sRGB kin, R32F, R11F_G11F_B10F, 24 and 32 bits of depth, 24 + 8
+  }
+}
+
+}  // namespace atelier

@@ -1,0 +1,66 @@
+// From a driver's words to the author's file and line.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "gl/shader.hpp"
+
+namespace atelier {
+namespace {
+
+/// One driver's way to say where: a scanf format that reads the source string's number and the line, and tells by %n
+/// where the message begins. `severity` is put before the message where the format has swallowed it.
+struct LogForm {
+  const char* format;
+  const char* severity;
+};
+
+constexpr std::array<LogForm, 4> log_forms = {{
+    {"%u:%u(%*u): %n", ""},           // Mesa:           0:12(5): error: `x' undeclared
+    {"%u(%u) : %n", ""},              // NVIDIA:         0(12) : error C1503: undefined variable "x"
+    {"ERROR: %u:%u: %n", "error: "},  // Apple and kin:  ERROR: 0:12: 'x' : undeclared identifier
+    {"WARNING: %u:%u: %n", "warning: "},
+}};
+
+std::string translate_line(const std::string& line, const ShaderSource& source) {
+  for (const LogForm& form : log_forms) {
+    unsigned file = 0, number = 0;
+    int message = 0;  // stays 0 where the line does not match to the end of the format
+    std::sscanf(line.c_str(), form.format, &file, &number, &message);
+    if (message == 0) continue;
+    // The defines stand in front of all files, under a number of their own.
+    const std::string name = file < source.names.size() ? source.names[file] : "(defines)";
+    return fmt::format("{}:{}: {}{}", name, number, form.severity, line.substr(std::size_t(message)));
+  }
+  return line;
+}
+
+}  // namespace
+
+std::string translate_shader_log(const std::string& log, const ShaderSource& source) {
+  constexpr std::size_t most_lines = 30;
+  std::vector<std::string> lines;
+  std::size_t dropped = 0;
+  for (std::size_t begin = 0; begin < log.size();) {
+    const std::size_t end = std::min(log.find('\n', begin), log.size());
+    std::string line = log.substr(begin, end - begin);
+    begin = end + 1;
+    line.erase(line.find_last_not_of(std::string_view(" \t\r\0", 4)) + 1);
+    if (line.empty()) continue;
+    line = translate_line(line, source);
+    if (std::find(lines.begin(), lines.end(), line) != lines.end()) continue;
+    if (lines.size() == most_lines)
+      ++dropped;
+    else
+      lines.push_back(std::move(line));
+  }
+  if (dropped > 0) lines.push_back(fmt::format("({} lines more)", dropped));
+
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "\n") + line;
+  return text;
+}
+
+}  // namespace atelier

@@ -1,0 +1,191 @@
+// One GLSL text out of many files. GLSL itself has no #include; #line directives lead errors back to the files.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <optional>
+
+#include "base/file.hpp"
+#include "gl/shader.hpp"
+
+namespace atelier {
+namespace {
+
+constexpr int deepest_include = 32;
+constexpr std::size_t largest_file = 1 << 20;  // bytes; a shader file of a megabyte is a mistake
+
+/// A file's text as lines that end in '\n', all of them. Throws Error where it holds what no text holds.
+std::string normalised(std::string text, const std::string& name) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // UTF-8's byte order mark
+  if (const auto at = text.find('\0'); at != std::string::npos)
+    throw Error(fmt::format("{}:{}: holds a null byte: this is no GLSL text", name,
+                            1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')));
+  for (std::size_t at = 0; (at = text.find('\r', at)) != std::string::npos; ++at)
+    at + 1 < text.size() && text[at + 1] == '\n' ? text.erase(at, 1) : text.replace(at, 1, "\n");
+  if (!text.empty() && text.back() != '\n') text += '\n';
+  if (text.ends_with("\\\n")) text += '\n';  // a continued last line must not swallow what follows the file
+  return text;
+}
+
+/// Follows where comments begin and end, from line to line.
+class CommentTracker {
+ public:
+  /// `line` with its comments turned into spaces; positions stay the same.
+  std::string without_comments(std::string_view line);
+  bool inside() const { return inside_; }
+
+ private:
+  bool inside_ = false;  ///< a /* comment that has not ended
+};
+
+std::string CommentTracker::without_comments(std::string_view line) {
+  std::string code(line);
+  bool quoted = false;  // the name of an #include: the one place where GLSL has quotes
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    const std::string_view pair = line.substr(i, 2);
+    if (inside_) {
+      const bool ends = pair == "*/";
+      code[i] = ' ';
+      if (ends) code[++i] = ' ', inside_ = false;
+    } else if (code[i] == '"') {
+      quoted = !quoted;
+    } else if (!quoted && pair == "//") {
+      std::fill(code.begin() + std::ptrdiff_t(i), code.end(), ' ');
+    } else if (!quoted && pair == "/*") {
+      code[i] = code[i + 1] = ' ';
+      ++i, inside_ = true;
+    }
+  }
+  return code;
+}
+
+/// A line that begins with '#': its word, and where in the line what follows the word begins.
+struct Directive {
+  std::string word;
+  std::size_t begin = 0, rest = 0;
+};
+
+std::optional<Directive> directive_in(const std::string& code) {
+  constexpr const char* blank = " \t\v\f";
+  const std::size_t hash = code.find_first_not_of(blank);
+  if (hash == std::string::npos || code[hash] != '#') return std::nullopt;
+  const std::size_t word = std::min(code.find_first_not_of(blank, hash + 1), code.size());
+  std::size_t end = word;
+  while (end < code.size() && std::isalpha(static_cast<unsigned char>(code[end]))) ++end;
+  return Directive{code.substr(word, end - word), hash, end};
+}
+
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\v\f") == std::string_view::npos;
+}
+
+class Assembler {
+ public:
+  explicit Assembler(const FindFile& find) : find_(find) {}
+
+  /// Adds the file that `name` stands for; `where` ("file:line: ") asks for it, or nobody.
+  void add_file(const std::string& name, const std::string& where, int depth);
+  void add_text(const std::filesystem::path& file, const std::string& name, const std::string& text, int depth);
+  ShaderSource finish(const Defines& defines) &&;
+
+ private:
+  void add_line(std::size_t number, std::size_t line, std::string_view text, CommentTracker& comments, int depth);
+  void add_include(std::size_t number, std::size_t line, std::string_view text, const std::string& code,
+                   const Directive& directive, int depth);
+
+  const FindFile& find_;
+  ShaderSource source_;
+};
+
+void Assembler::add_file(const std::string& name, const std::string& where, int depth) {
+  std::filesystem::path file = find_(name);
+  if (file.empty()) throw Error(fmt::format("{}shader file \"{}\" is not found", where, name));
+  file = std::filesystem::weakly_canonical(file);  // one file, however it is spelt
+  if (std::find(source_.files.begin(), source_.files.end(), file) != source_.files.end()) return;
+  if (depth > deepest_include)
+    throw Error(fmt::format("{}\"{}\" is included {} files deep, and at most {} are allowed", where, name, depth,
+                            deepest_include));
+  std::string text;
+  try {
+    text = read_file(file, largest_file);
+  } catch (const Error& error) {
+    throw Error(where + error.what());
+  }
+  add_text(file, name, text, depth);
+}
+
+void Assembler::add_text(const std::filesystem::path& file, const std::string& name, const std::string& text,
+                         int depth) {
+  const std::size_t number = source_.files.size();
+  source_.files.push_back(file);
+  source_.names.push_back(name);
+  source_.text += fmt::format("#line 1 {}\n", number);
+
+  const std::string lines = normalised(text, name);
+  CommentTracker comments;
+  std::size_t line = 0, comment_line = 0;
+  for (std::size_t begin = 0; begin < lines.size();) {
+    const std::size_t end = lines.find('\n', begin);
+    const bool inside = comments.inside();
+    add_line(number, ++line, std::string_view(lines).substr(begin, end - begin), comments, depth);
+    if (!inside && comments.inside()) comment_line = line;
+    begin = end + 1;
+  }
+  // It would swallow everything after the file, #line directives included.
+  if (comments.inside()) throw Error(fmt::format("{}:{}: this /* comment has no end", name, comment_line));
+}
+
+void Assembler::add_line(std::size_t number, std::size_t line, std::string_view text, CommentTracker& comments,
+                         int depth) {
+  const std::string code = comments.without_comments(text);
+  if (const auto directive = directive_in(code)) {
+    if (directive->word == "include") return add_include(number, line, text, code, *directive, depth);
+    if (directive->word == "version" || directive->word == "extension" || directive->word == "line")
+      throw Error(
+          fmt::format("{}:{}: remove this #{}: the program puts `#version 330 core` in front of every shader and "
+                      "keeps track of files and lines itself",
+                      source_.names[number], line, directive->word));
+  }
+  source_.text.append(text) += '\n';
+}
+
+void Assembler::add_include(std::size_t number, std::size_t line, std::string_view text, const std::string& code,
+                            const Directive& directive, int depth) {
+  const std::string where = fmt::format("{}:{}: ", source_.names[number], line);
+  const std::size_t open = code.find('"', directive.rest);
+  const std::size_t close = open == std::string::npos ? open : code.find('"', open + 1);
+  if (close == std::string::npos || close == open + 1 ||
+      !is_blank(code.substr(directive.rest, open - directive.rest)) || !is_blank(code.substr(close + 1)))
+    throw Error(where + "this must read #include \"file\"");
+
+  // What stands around the directive can only be comments, which may begin or end on other lines: they are kept.
+  if (!is_blank(text.substr(0, directive.begin))) source_.text.append(text.substr(0, directive.begin)) += '\n';
+  add_file(code.substr(open + 1, close - open - 1), where, depth + 1);
+  source_.text += fmt::format("#line {} {}\n", line, number);
+  source_.text.append(text.substr(close + 1)) += '\n';
+}
+
+ShaderSource Assembler::finish(const Defines& defines) && {
+  // `#line N` names the line after it from GLSL 3.30 on (before, the line after that).
+  std::string head = fmt::format("#version 330 core\n#line 1 {}\n", source_.files.size());
+  for (const auto& [name, value] : defines) head += fmt::format("#define {} {}\n", name, value);
+  source_.text.insert(0, head);
+  return std::move(source_);
+}
+
+}  // namespace
+
+ShaderSource assemble_shader(const FindFile& find, const std::string& name, const Defines& defines) {
+  Assembler assembler(find);
+  assembler.add_file(name, "", 0);
+  return std::move(assembler).finish(defines);
+}
+
+ShaderSource assemble_shader_text(const FindFile& find, const std::string& text, const std::string& label,
+                                  const Defines& defines) {
+  Assembler assembler(find);
+  assembler.add_text(label, label, text, 0);
+  return std::move(assembler).finish(defines);
+}
+
+}  // namespace atelier

@@ -1,0 +1,179 @@
+#include "gl/target.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "base/error.hpp"
+#include "gl/texel.hpp"
+
+namespace atelier {
+namespace {
+
+/// What OpenGL wants to hear about a format.
+struct FormatFacts {
+  const char* name;
+  GLenum internal, format, type, attachment;
+};
+
+constexpr std::array<FormatFacts, 4> colour_facts = {{
+    {"none", GL_NONE, GL_NONE, GL_NONE, GL_NONE},
+    {"rgba8", GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_COLOR_ATTACHMENT0},
+    {"rgba16f", GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, GL_COLOR_ATTACHMENT0},
+    {"rgba32f", GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_COLOR_ATTACHMENT0},
+}};
+
+constexpr std::array<FormatFacts, 6> depth_facts = {{
+    {"none", GL_NONE, GL_NONE, GL_NONE, GL_NONE},
+    {"depth16", GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT, GL_DEPTH_ATTACHMENT},
+    {"depth24", GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, GL_DEPTH_ATTACHMENT},
+    {"depth32f", GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, GL_DEPTH_ATTACHMENT},
+    {"depth24_stencil8", GL_DEPTH24_STENCIL8, GL_DEPTH_STENCIL, GL_UNSIGNED_INT_24_8, GL_DEPTH_STENCIL_ATTACHMENT},
+    {"depth32f_stencil8", GL_DEPTH32F_STENCIL8, GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+     GL_DEPTH_STENCIL_ATTACHMENT},
+}};
+
+const FormatFacts& facts(ColourFormat format) {
+  return colour_facts[std::size_t(format)];
+}
+const FormatFacts& facts(DepthFormat format) {
+  return depth_facts[std::size_t(format)];
+}
+
+/// Remembers which texture and framebuffers are bound, and binds them again at the end of the scope.
+class KeptBindings {
+ public:
+  explicit KeptBindings(Gl& gl) : gl_(gl) {
+    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
+    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
+  }
+  ~KeptBindings() {
+    gl_.BindTexture(GL_TEXTURE_2D, GLuint(texture_));
+    gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
+    gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_));
+  }
+  KeptBindings(const KeptBindings&) = delete;
+  KeptBindings& operator=(const KeptBindings&) = delete;
+
+ private:
+  Gl& gl_;
+  GLint texture_ = 0, draw_ = 0, read_ = 0;
+};
+
+/// Throws where the driver cannot have such a target at all: asked first, since what drivers do beyond differs.
+void check(Gl& gl, const TargetSpec& spec) {
+  GLint largest = 0;
+  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  largest = std::min(largest, GLint(Image::max_side));
+  if (spec.width < 1 || spec.height < 1 || spec.width > largest || spec.height > largest)
+    throw Error(fmt::format("target {}: each side must be 1..{} pixels on this driver", to_string(spec), largest));
+  if (spec.colour == ColourFormat::none && spec.depth == DepthFormat::none)
+    throw Error(fmt::format("target {}: needs a colour or a depth", to_string(spec)));
+}
+
+GlTexture make_texture(Gl& gl, const FormatFacts& format, const TargetSpec& spec) {
+  GlTexture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format.internal), spec.width, spec.height, 0, format.format, format.type,
+                nullptr);
+  return texture;
+}
+
+const char* incompleteness(GLenum status) {
+  switch (status) {
+    case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+      return "an attachment cannot be drawn to";
+    case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+      return "an attachment is missing";
+    case GL_FRAMEBUFFER_UNSUPPORTED:
+      return "the driver does not support these formats together";
+    default:
+      return "the driver gives no reason";
+  }
+}
+
+/// Reads all pixels of the bound framebuffer, bottom row first, as OpenGL has them. Rows of floats are multiples of
+/// four bytes: with that alignment no width has padding.
+void read_pixels(Gl& gl, const TargetSpec& spec, GLenum format, void* destination) {
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, spec.width, spec.height, format, GL_FLOAT, destination);
+}
+
+}  // namespace
+
+std::string to_string(const TargetSpec& spec) {
+  return fmt::format("{}x{}, colour {}, depth {}", spec.width, spec.height, facts(spec.colour).name,
+                     facts(spec.depth).name);
+}
+
+std::size_t bytes(const TargetSpec& spec) {
+  std::int64_t texel = 0;
+  if (spec.colour != ColourFormat::none) texel += texel_bytes(facts(spec.colour).internal);
+  if (spec.depth != DepthFormat::none) texel += texel_bytes(facts(spec.depth).internal);
+  return std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(texel);
+}
+
+Target::Target(Gl& gl, const TargetSpec& spec) : spec_(spec) {
+  check(gl, spec);
+  check_gl_error(gl, "something before a target is made");
+  const KeptBindings kept(gl);
+  framebuffer_ = GlFramebuffer(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  if (spec.colour != ColourFormat::none) {
+    colour_ = make_texture(gl, facts(spec.colour), spec);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, facts(spec.colour).attachment, GL_TEXTURE_2D, colour_.id(), 0);
+  } else {
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+  }
+  if (spec.depth != DepthFormat::none) {
+    depth_ = make_texture(gl, facts(spec.depth), spec);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, facts(spec.depth).attachment, GL_TEXTURE_2D, depth_.id(), 0);
+  }
+  check_gl_error(gl, ("making a target of " + to_string(spec)).c_str());
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw Error(fmt::format("target {}: {} (0x{:04x})", to_string(spec), incompleteness(status), status));
+}
+
+void Target::bind(Gl& gl) const {
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.Viewport(0, 0, spec_.width, spec_.height);
+}
+
+Image Target::read_colour(Gl& gl) const {
+  if (spec_.colour == ColourFormat::none) throw Error("target " + to_string(spec_) + ": has no colour to read");
+  const KeptBindings kept(gl);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  static_assert(sizeof(Rgba) == 4 * sizeof(float), "pixels are read straight into the image");
+  Image image(spec_.width, spec_.height);
+  read_pixels(gl, spec_, GL_RGBA, image.pixels().data());
+  check_gl_error(gl, "reading a target's colour");
+  // Turn it over in place: OpenGL's first row is the lowest.
+  for (int top = 0, bottom = spec_.height - 1; top < bottom; ++top, --bottom)
+    std::swap_ranges(&image.at(0, top), &image.at(0, top) + spec_.width, &image.at(0, bottom));
+  return image;
+}
+
+Image Target::read_depth(Gl& gl) const {
+  if (spec_.depth == DepthFormat::none) throw Error("target " + to_string(spec_) + ": has no depth to read");
+  const KeptBindings kept(gl);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  std::vector<float> depths(std::size_t(spec_.width) * std::size_t(spec_.height));
+  read_pixels(gl, spec_, GL_DEPTH_COMPONENT, depths.data());
+  check_gl_error(gl, "reading a target's depth");
+  Image image(spec_.width, spec_.height);
+  const float* depth = depths.data();
+  for (int y = spec_.height - 1; y >= 0; --y)
+    for (int x = 0; x < spec_.width; ++x, ++depth) image.at(x, y) = {*depth, *depth, *depth, 1};
+  return image;
+}
+
+}  // namespace atelier
