@@ -51,10 +51,8 @@ Implementations default_implementations(const std::string& step) {
   return Implementations(std::move(roots));
 }
 
-StepProgram& load_step(const StepIdentity& identity, const Implementations& implementations) {
-  std::vector<std::string> steps = identity.uses;
-  steps.push_back(identity.name);
-  for (const std::string& step : steps) {
+std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations) {
+  for (const std::string& step : identity.libraries) {
     const auto library = implementations.find(step + "/libstep.so");
     if (library.empty())
       throw Error(fmt::format("{}: its code is not built yet: run ./atelier check {}", step, step.substr(0, 2)));
@@ -63,7 +61,7 @@ StepProgram& load_step(const StepIdentity& identity, const Implementations& impl
   using Make = StepProgram* (*)();
   try {
     const auto make = reinterpret_cast<Make>(module_symbol("program-" + identity.name, "atelier_step_program"));
-    return *make();
+    return std::unique_ptr<StepProgram>(make());
   } catch (const Error& error) {
     throw Error(explain_loader(error.what(), identity.name));
   }

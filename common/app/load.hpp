@@ -1,6 +1,7 @@
 // Brings together the code of a step: the libraries of the steps that it stands on, its own, and the given program.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,16 @@ namespace atelier {
 
 /// What an executable knows about itself.
 struct StepIdentity {
-  std::string name;               ///< "03-shadow-mapping"
-  std::vector<std::string> uses;  ///< the earlier steps that it calls, in order
+  std::string name;                    ///< "03-shadow-mapping"
+  std::vector<std::string> libraries;  ///< the steps whose compiled code it calls, in the order of loading
 };
 
 /// The search path of somebody at home: the own files of this step, and for the earlier ones the solution where it is
 /// there, otherwise the own files again. Roots that do not exist are left out.
 Implementations default_implementations(const std::string& step);
 
-/// Loads NN-name/libstep.so of every used step and of the step itself, in order, then the program. Throws Error where a
+/// Loads NN-name/libstep.so of each of the identity's libraries, then the program. Throws Error where a
 /// library is not built yet (saying how to build it) or lacks a function that the contract declares (naming it).
-StepProgram& load_step(const StepIdentity& identity, const Implementations& implementations);
+std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations);
 
 }  // namespace atelier

@@ -20,8 +20,11 @@ Camera apply(const CaseCamera& change, Camera camera) {
 }
 
 Painter::Painter(StepProgram& program, HeadlessContext& context, const Implementations& implementations)
-    : program_(program), context_(context) {
-  program_.open(context_.gl(), implementations);
+    : program_(program),
+      context_(context),
+      implementations_(implementations),
+      shader_probe_(context_.gl(), implementations_) {
+  program_.open(context_.gl(), implementations_);
 }
 
 Settings Painter::settings_for(const Case& c) const {
@@ -64,8 +67,9 @@ std::vector<Numbers> Painter::probe(const Case& values) {
     for (const auto& [name, function] : probes) names.push_back(name);
     throw Error(fmt::format("probe '{}': {} offers {}", values.probe, program_.description().name, fmt::join(names, ", ")));
   }
+  ProbeContext probe_context{gl(), shader_probe_};
   std::vector<Numbers> results;
-  for (const Arguments& arguments : values.inputs) results.push_back(found->second(gl(), arguments));
+  for (const Arguments& arguments : values.inputs) results.push_back(found->second(probe_context, arguments));
   return results;
 }
 

@@ -31,6 +31,8 @@ class Painter {
 
   StepProgram& program_;
   HeadlessContext& context_;
+  Implementations implementations_;
+  ShaderProbe shader_probe_;
   std::optional<Target> target_;
 };
 

@@ -1,6 +1,7 @@
 // A step program that draws scenes with features: what nearly every step is.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 

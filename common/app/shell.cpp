@@ -32,24 +32,25 @@ OutputEncoding encoding_of(const StepDescription& description, const std::string
 }
 
 /// Everything that needs pictures but no window.
-int draw_headless(StepProgram& program, const Implementations& implementations, CommandLine& line) {
+int draw_headless(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
-  Painter painter(program, *context, implementations);
+  const auto program = load_step(identity, implementations);  // after the context: it ends before it
+  Painter painter(*program, *context, implementations);
   if (!line.cases.empty()) {
     answer_cases(painter, line.cases, line.out, line.progress);
     return exit_ok;
   }
   for (const auto& [name, text] : line.settings) {
-    Settings checked(program.description().settings);
+    Settings checked(program->description().settings);
     checked.set(name, std::string_view(text));
     line.picture.settings[name] = checked.value(name);
   }
   if (!line.record.empty()) {
     painter.paint(line.picture);  // loads the scene, whose camera the turn starts from
-    record_turn(painter, apply(line.picture.camera, program.camera()), line.picture, line.record, line.frames);
+    record_turn(painter, apply(line.picture.camera, program->camera()), line.picture, line.record, line.frames);
   } else {
     const Image image = painter.paint(line.picture);
-    const bool linear = encoding_of(program.description(), line.picture.output) == OutputEncoding::linear_colour;
+    const bool linear = encoding_of(program->description(), line.picture.output) == OutputEncoding::linear_colour;
     write_image(line.out, image, {.encode_srgb = linear});
   }
   if (line.stats) print_counts(painter.gl().counts);
@@ -63,13 +64,13 @@ int run(int count, char** arguments, const StepIdentity& identity) {
   const bool headless = !line->out.empty() || !line->record.empty() || !line->cases.empty();
   if (!headless && !line->list) return run_window(identity, implementations, *line);
 
-  StepProgram& program = load_step(identity, implementations);
   if (line->list) {
-    const StepDescription& description = program.description();
+    const auto program = load_step(identity, implementations);
+    const StepDescription& description = program->description();
     std::fputs((line->json ? list_as_json(description) : list_as_text(description)).c_str(), stdout);
     return exit_ok;
   }
-  return draw_headless(program, implementations, *line);
+  return draw_headless(identity, implementations, *line);
 }
 
 }  // namespace

@@ -2,12 +2,12 @@
 // main.cpp describes one; the shell (command line, headless drawing, window) does the rest.
 #pragma once
 
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "app/probe.hpp"
 #include "case/case.hpp"
 #include "case/implementations.hpp"
 #include "case/settings.hpp"
@@ -29,9 +29,6 @@ struct OutputSpec {
   OutputEncoding encoding = OutputEncoding::linear_colour;
   std::string help;  ///< one sentence with the unit
 };
-
-/// A student's function, callable from outside on plain numbers. May use OpenGL. May throw: the sentence is reported.
-using Probe = std::function<Numbers(Gl& gl, const Arguments& arguments)>;
 
 /// What --list prints.
 struct StepDescription {
@@ -76,5 +73,5 @@ class StepProgram {
 
 }  // namespace atelier
 
-/// Every step's main.cpp defines it; the shell calls it once.
+/// Every step's main.cpp defines it: makes the program, which the caller owns and ends before its context.
 extern "C" atelier::StepProgram* atelier_step_program();

@@ -1,0 +1,6 @@
+// `main` of every step program; the build says which step it is.
+#include "app/shell.hpp"
+
+int main(int count, char** arguments) {
+  return atelier::run_step(count, arguments, {.name = ATELIER_STEP, .libraries = {ATELIER_STEP_LIBRARIES}});
+}

@@ -1,0 +1,42 @@
+// Calling a student's functions on plain numbers, C++ and GLSL alike.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+
+#include "case/case.hpp"
+#include "case/implementations.hpp"
+#include "gl/gl.hpp"
+#include "gl/objects.hpp"
+
+namespace atelier {
+
+/// Evaluates GLSL expressions in a fragment shader of one pixel.
+class ShaderProbe {
+ public:
+  ShaderProbe(Gl& gl, const Implementations& implementations) : gl_(gl), implementations_(implementations) {}
+
+  /// The vec4 `expression`, in which every argument can be named: 1 number is a float, 2 to 4 a vector, 9 a mat3, 16 a mat4.
+  /// `preamble` stands before it: #include lines. Throws ShaderError with the author's file and line.
+  glm::vec4 evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments);
+
+ private:
+  Gl& gl_;
+  const Implementations& implementations_;
+  std::map<std::string, GlProgram> programs_;  ///< by text
+};
+
+/// What a probe may use.
+struct ProbeContext {
+  Gl& gl;
+  ShaderProbe& shaders;
+};
+
+/// A student's function on plain numbers. May throw: the sentence is reported.
+using Probe = std::function<Numbers(ProbeContext& context, const Arguments& arguments)>;
+
+/// A probe of a GLSL function: the first `components` of the vec4 expression.
+Probe shader_probe(std::string preamble, std::string expression, int components);
+
+}  // namespace atelier

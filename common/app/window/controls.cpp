@@ -1,0 +1,92 @@
+#include "app/window/controls.hpp"
+
+namespace atelier {
+namespace {
+
+constexpr double double_click_seconds = 0.35, double_click_distance = 4;  // window units
+constexpr double arrow_turn = 20;                                         // window units of dragging
+
+bool is_double_click(const std::optional<Pressed>& before, const Pressed& now) {
+  return before && now.time - before->time <= double_click_seconds &&
+         glm::distance(before->position, now.position) <= double_click_distance;
+}
+
+Gesture press(Controls& controls, const Pressed& event) {
+  Gesture gesture;
+  if (!controls.dragging) controls.dragging = event.button;
+  controls.last = event.position;
+  if (event.button != Button::left) return gesture;
+  if (is_double_click(controls.last_click, event)) {
+    gesture.command = Command::reset_camera;
+    controls.last_click.reset();  // a third click begins anew
+  } else {
+    controls.last_click = event;
+  }
+  return gesture;
+}
+
+Gesture move(Controls& controls, const Moved& event) {
+  Gesture gesture;
+  const glm::dvec2 way = event.position - controls.last;
+  controls.last = event.position;
+  if (controls.dragging) (*controls.dragging == Button::left ? gesture.turn : gesture.pan) = way;
+  return gesture;
+}
+
+Gesture type(const Typed& event) {
+  switch (event.key) {
+    case Key::escape:
+      return {.command = Command::quit};
+    case Key::tab:
+      return {.command = Command::panel};
+    case Key::space:
+      return {.command = Command::play};
+    case Key::left:
+      return {.turn = {arrow_turn, 0}};
+    case Key::right:
+      return {.turn = {-arrow_turn, 0}};
+    case Key::up:
+      return {.turn = {0, arrow_turn}};
+    case Key::down:
+      return {.turn = {0, -arrow_turn}};
+    case Key::plus:
+      return {.dolly = 1};
+    case Key::minus:
+      return {.dolly = -1};
+    case Key::h:
+      return {.command = Command::help};
+    case Key::r:
+      return {.command = Command::reset_camera};
+    case Key::s:
+      return {.command = Command::save};
+    case Key::digit:
+      return {.command = Command::scene, .number = event.digit};
+  }
+  return {};
+}
+
+}  // namespace
+
+Gesture interpret(Controls& controls, const Event& event) {
+  if (const auto* pressed = std::get_if<Pressed>(&event)) return press(controls, *pressed);
+  if (const auto* moved = std::get_if<Moved>(&event)) return move(controls, *moved);
+  if (const auto* scrolled = std::get_if<Scrolled>(&event)) return {.dolly = scrolled->steps};
+  if (const auto* typed = std::get_if<Typed>(&event)) return type(*typed);
+  if (const auto* released = std::get_if<Released>(&event); released && controls.dragging == released->button)
+    controls.dragging.reset();
+  return {};
+}
+
+const char* const keys_help =
+    "left drag, arrows\tturn about the target\n"
+    "wheel, + and -\tcome nearer, go away\n"
+    "right or middle drag\tshift the picture\n"
+    "double click, R\tback to the scene's camera\n"
+    "1 to 9\tanother scene\n"
+    "Space\trun or stop the clock\n"
+    "S\tsave the picture as PNG\n"
+    "Tab\tshow or hide the panel\n"
+    "H\tthis help\n"
+    "Esc\tquit\n";
+
+}  // namespace atelier

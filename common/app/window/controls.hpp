@@ -1,0 +1,62 @@
+// From what hands do to what is meant: events of mouse and keyboard become gestures. Pure: knows no window library.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <variant>
+
+namespace atelier {
+
+enum class Button { left, middle, right };
+enum class Key { escape, tab, space, left, right, up, down, plus, minus, h, r, s, digit };
+
+// Positions are in the window's own units (not pixels: on many screens those are finer), from the upper left corner.
+struct Pressed {
+  Button button;
+  glm::dvec2 position;
+  double time;  ///< seconds
+};
+struct Released {
+  Button button;
+};
+struct Moved {
+  glm::dvec2 position;
+};
+struct Scrolled {
+  double steps;  ///< positive away from the user
+};
+struct Typed {
+  Key key;
+  int digit = 0;  ///< 1..9, of Key::digit
+};
+/// The window's content is lost or has another size.
+struct Exposed {};
+
+using Event = std::variant<Pressed, Released, Moved, Scrolled, Typed, Exposed>;
+
+enum class Command { none, quit, help, panel, play, reset_camera, save, scene };
+
+/// What an event means. Everything at once is possible, most of it is zero.
+struct Gesture {
+  glm::dvec2 turn{0};  ///< of the camera about its target, in window units of dragging: x to the right, y down
+  glm::dvec2 pan{0};   ///< of the picture, in the same units
+  double dolly = 0;    ///< steps towards the target
+  Command command = Command::none;
+  int number = 0;  ///< of the scene, from 1
+};
+
+/// What must be remembered from one event to the next.
+struct Controls {
+  std::optional<Button> dragging;
+  glm::dvec2 last{0};                 ///< where the cursor was
+  std::optional<Pressed> last_click;  ///< of the left button
+};
+
+/// Left drag turns, right or middle drag pans, the wheel dollies, a double click resets the camera; keys as in
+/// `keys_help`. A press begins a drag, and only the release of the same button ends it.
+Gesture interpret(Controls& controls, const Event& event);
+
+/// A line for each key and gesture: what, tab, meaning.
+extern const char* const keys_help;
+
+}  // namespace atelier

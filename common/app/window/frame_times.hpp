@@ -1,0 +1,33 @@
+// How long frames take, told in a way that one slow frame does not disturb.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace atelier {
+
+/// The last 31 frame times. Their median, unlike their mean, does not see the frame that compiled a shader.
+class FrameTimes {
+ public:
+  void add(double seconds) {
+    times_[next_] = seconds;
+    next_ = (next_ + 1) % times_.size();
+    count_ = std::min(count_ + 1, times_.size());
+  }
+
+  /// Seconds; of an even number the upper of the two middle ones; 0 where there was no frame yet.
+  double median() const {
+    if (count_ == 0) return 0;
+    auto sorted = times_;
+    const auto middle = sorted.begin() + std::ptrdiff_t(count_ / 2);
+    std::nth_element(sorted.begin(), middle, sorted.begin() + std::ptrdiff_t(count_));
+    return *middle;
+  }
+
+ private:
+  std::array<double, 31> times_{};
+  std::size_t next_ = 0, count_ = 0;
+};
+
+}  // namespace atelier

@@ -1,0 +1,77 @@
+#include "app/window/presenter.hpp"
+
+#include "gl/shader.hpp"
+
+namespace atelier {
+namespace {
+
+/// One triangle that covers the whole of clip space: corners (-1,-1), (3,-1), (-1,3). A quad of two would shade the
+/// pixels along its diagonal twice.
+constexpr const char* vertex_text = R"(
+out vec2 v_texcoord;
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  v_texcoord = corner * 0.5 + 0.5;
+  gl_Position = vec4(corner, 0.0, 1.0);
+}
+)";
+
+constexpr const char* fragment_text = R"(
+in vec2 v_texcoord;
+uniform sampler2D u_picture;
+uniform bool u_encode;
+out vec4 o_colour;
+
+vec3 srgb_encode(vec3 linear) {
+  return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
+}
+
+void main() {
+  vec3 colour = texture(u_picture, v_texcoord).rgb;
+  if (any(isnan(colour)) || any(isinf(colour))) {
+    o_colour = vec4(1.0, 0.0, 1.0, 1.0);
+    return;
+  }
+  colour = clamp(colour, 0.0, 1.0);
+  o_colour = vec4(u_encode ? srgb_encode(colour) : colour, 1.0);
+}
+)";
+
+GlProgram build(Gl& gl) {
+  const FindFile nothing = [](const std::string&) { return std::filesystem::path(); };
+  return build_program(gl, assemble_shader_text(nothing, vertex_text, "presenter, vertex shader", {}),
+                       assemble_shader_text(nothing, fragment_text, "presenter, fragment shader", {}));
+}
+
+}  // namespace
+
+Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) {}
+
+void Presenter::draw(const Target& picture, OutputEncoding encoding, const PixelArea& area) {
+  gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
+  gl_.Disable(GL_DEPTH_TEST);
+  gl_.Disable(GL_CULL_FACE);
+  gl_.Disable(GL_BLEND);
+  gl_.Disable(GL_SCISSOR_TEST);
+  gl_.UseProgram(program_.id());
+  gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);
+  gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == OutputEncoding::linear_colour);
+  gl_.ActiveTexture(GL_TEXTURE0);
+  gl_.BindTexture(GL_TEXTURE_2D, picture.colour_texture());
+  gl_.BindVertexArray(no_attributes_.id());
+  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl_.BindVertexArray(0);
+  gl_.BindTexture(GL_TEXTURE_2D, 0);
+}
+
+Image read_framebuffer(Gl& gl, glm::ivec2 size) {
+  Image image(size.x, size.y);
+  std::vector<Rgba> row(std::size_t(size.x) * size.y);
+  gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl.ReadPixels(0, 0, size.x, size.y, GL_RGBA, GL_FLOAT, row.data());
+  for (int y = 0; y < size.y; ++y)
+    for (int x = 0; x < size.x; ++x) image.at(x, y) = row[std::size_t(size.y - 1 - y) * size.x + x];
+  return image;
+}
+
+}  // namespace atelier

@@ -1,0 +1,218 @@
+#include "app/window/viewer.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <glm/gtc/constants.hpp>
+
+#include "app/picture.hpp"
+#include "base/error.hpp"
+#include "case/suggest.hpp"
+
+namespace atelier {
+namespace {
+
+/// Refuses what a typing error on the command line has made; whatever the program itself refuses is shown in the
+/// window.
+void check_names(const StepDescription& description, const std::string& scene, const std::string& output) {
+  const auto& scenes = description.scenes;
+  const bool known = std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
+  if (std::error_code unreadable; !known && !std::filesystem::is_regular_file(scene, unreadable))
+    throw Error(fmt::format("--scene {}: {} has no such scene, and there is no such file{}", scene, description.name,
+                            suggestion(scene, scenes)));
+  std::vector<std::string> outputs;
+  for (const OutputSpec& spec : description.outputs) outputs.push_back(spec.name);
+  if (std::find(outputs.begin(), outputs.end(), output) == outputs.end())
+    throw Error(
+        fmt::format("--output {}: {} has no such output{}", output, description.name, suggestion(output, outputs)));
+}
+
+/// Runs a student's code; returns the words of what it throws, or an empty string.
+template <class Action>
+std::string words_of(Action&& action) {
+  try {
+    action();
+    return {};
+  } catch (const std::exception& error) {
+    return *error.what() ? error.what() : "an exception without a message was thrown";
+  } catch (...) {
+    return "something was thrown that is no std::exception";
+  }
+}
+
+}  // namespace
+
+Viewer::Viewer(StepProgram& program, Gl& gl, const Implementations& implementations, const CommandLine& line)
+    : program_(program), gl_(gl), settings_(program.description().settings), first_camera_(line.picture.camera) {
+  const StepDescription& described = description();
+  if (described.scenes.empty()) throw Error(fmt::format("{}: it describes no scene to show", described.name));
+  scene_ = line.picture.scene.empty() ? described.scenes.front() : line.picture.scene;
+  output_ = line.picture.output;
+  check_names(described, scene_, output_);
+  for (const auto& [name, text] : line.settings) settings_.set(name, text);
+  program_.open(gl_, implementations);
+}
+
+OutputEncoding Viewer::encoding() const {
+  for (const OutputSpec& spec : description().outputs)
+    if (spec.name == output_) return spec.encoding;
+  return OutputEncoding::linear_colour;
+}
+
+void Viewer::choose_scene(const std::string& name) {
+  scene_ = name;
+  take_camera_ = must_load_ = true;
+}
+
+void Viewer::choose_output(const std::string& name) {
+  output_ = name;
+  must_draw_ = true;
+}
+
+void Viewer::set(const std::string& name, const SettingValue& value) {
+  settings_.set(name, value);
+  must_load_ = true;  // a setting may shape the scene itself
+}
+
+void Viewer::reset_settings() {
+  settings_ = Settings(description().settings);
+  must_load_ = true;
+}
+
+void Viewer::resize(glm::ivec2 pixels) {
+  pixels = glm::clamp(pixels, 1, Image::max_side);
+  if (pixels == size_) return;
+  size_ = pixels;
+  must_draw_ = true;
+}
+
+// ---- The camera
+
+Camera Viewer::camera() const {
+  // Not moved means untouched to the last bit: the window then shows exactly what --out draws.
+  Camera camera = program_.camera();
+  if (first_camera_) camera = apply(*first_camera_, camera);
+  return moved_ ? camera_on(orbit_, camera, start_) : camera;
+}
+
+void Viewer::turn(glm::dvec2 way, double height) {
+  const double radians = glm::pi<double>() / std::max(height, 1.0);
+  orbit_ = turned(orbit_, -way.x * radians, way.y * radians);
+  moved_ = must_draw_ = true;
+}
+
+void Viewer::pan(glm::dvec2 way, double height) {
+  orbit_ = panned(orbit_, way, metres_per_pixel(orbit_, camera(), height));
+  moved_ = must_draw_ = true;
+}
+
+void Viewer::dolly(double steps) {
+  orbit_ = dollied(orbit_, steps);
+  moved_ = must_draw_ = true;
+}
+
+void Viewer::reset_camera() {
+  first_camera_.reset();
+  if (loaded_) start_ = orbit_ = orbit_of(program_.camera());
+  moved_ = false;
+  must_draw_ = true;
+}
+
+void Viewer::advance(double seconds) {
+  if (!playing_) return;
+  time_ += seconds;
+  must_draw_ = true;
+}
+
+// ---- Drawing
+
+void Viewer::load() {
+  loaded_ = false;
+  trouble.drawing = words_of([&] { program_.load(scene_, settings_); });
+  must_load_ = false;
+  if (!trouble.drawing.empty()) return;
+  loaded_ = must_draw_ = true;
+  if (!take_camera_) return;
+  // The command line's camera is for the scene that the command line names, which is the first.
+  if (picture()) first_camera_.reset();
+  take_camera_ = moved_ = false;
+  start_ = orbit_ = orbit_of(camera());
+}
+
+void Viewer::draw_into(const Target& target) {
+  gl_.counts = {};
+  const auto begin = std::chrono::steady_clock::now();
+  program_.draw({target, camera(), output_, time_}, settings_);
+  gl_.Finish();  // the commands are only queued until then
+  times_.add(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+}
+
+bool Viewer::draw() {
+  if (must_load_) load();
+  if (!must_draw_ || !loaded_) return false;
+  must_draw_ = false;
+  trouble.drawing = words_of([&] {
+    const TargetSpec spec{.width = size_.x,
+                          .height = size_.y,
+                          .colour = ColourFormat::rgba32f,
+                          .depth = program_.depth_format(settings_)};
+    if (!spare_ || spare_->spec() != spec) {
+      spare_.reset();  // free the old one before the new one is made
+      spare_ = std::make_unique<Target>(gl_, spec);
+    }
+    draw_into(*spare_);
+  });
+  if (!trouble.drawing.empty()) return false;
+  counts_ = gl_.counts;
+  std::swap(shown_, spare_);
+  return true;
+}
+
+bool Viewer::reload_shaders() {
+  const auto linked = gl_.counts.programs_linked;
+  const std::string before = trouble.shaders;
+  std::string refused;
+  const std::string thrown = words_of([&] { refused = program_.reload_changed_shaders(); });
+  trouble.shaders = thrown.empty() ? refused : thrown;
+  const bool rebuilt = gl_.counts.programs_linked != linked;
+  must_draw_ |= rebuilt;
+  return rebuilt || trouble.shaders != before;
+}
+
+bool Viewer::retry() {
+  if (trouble.drawing.empty()) return false;
+  must_draw_ = true;
+  must_load_ = !loaded_;
+  return true;
+}
+
+CommandLine Viewer::command_line(CommandLine line) const {
+  line.picture.scene = scene_;
+  line.picture.output = output_;
+  line.picture.camera = moved_ || !first_camera_ ? CaseCamera{} : *first_camera_;
+  if (moved_) {
+    const Camera now = camera();
+    line.picture.camera.eye = now.eye;
+    line.picture.camera.target = now.target;
+  }
+  line.settings.clear();
+  for (const SettingSpec& spec : settings_.specs())
+    if (const SettingValue& value = settings_.value(spec.name); value != spec.fallback)
+      line.settings.emplace_back(spec.name, setting_text(value));
+  return line;
+}
+
+std::string setting_text(const SettingValue& value) {
+  struct {
+    std::string operator()(bool v) const { return v ? "on" : "off"; }
+    std::string operator()(int v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest that reads back the same
+    std::string operator()(const std::string& v) const { return v; }
+  } text;
+  return std::visit(text, value);
+}
+
+}  // namespace atelier

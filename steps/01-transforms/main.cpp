@@ -1,0 +1,86 @@
+// 01-transforms: the program. Scenes drawn with your matrices and your vertex buffers; a stand-in for light.
+#include "01-transforms/functions.hpp"
+#include "01-transforms/preview.hpp"
+#include "01-transforms/probes.hpp"
+#include "01-transforms/scenes.hpp"
+#include "app/scene_program.hpp"
+#include "gl/shader.hpp"
+
+namespace atelier {
+
+namespace {
+
+StepDescription description() {
+  std::vector<SettingSpec> settings = view_settings();
+  for (const SettingSpec& spec : transform_scene_settings()) settings.push_back(spec);
+  return {.name = "01-transforms",
+          .title = "Transforms and vertex buffers",
+          .scenes = transform_scene_names(),
+          .settings = settings,
+          .outputs = {{"colour", OutputEncoding::linear_colour, "what is seen"}},
+          .probes = transform_probes()};
+}
+
+std::vector<std::unique_ptr<Feature>> features() {
+  std::vector<std::unique_ptr<Feature>> list;
+  list.push_back(std::make_unique<Preview>());
+  return list;
+}
+
+/// All scenes but one are drawn by the renderer; "triangle" is upload_triangle's own.
+class Transforms : public SceneProgram {
+ public:
+  Transforms() : SceneProgram(description(), transform_functions(), features, make_transform_scene) {}
+
+  void open(Gl& gl, const Implementations& implementations) override {
+    SceneProgram::open(gl, implementations);
+    gl_ = &gl;
+  }
+
+  void load(const std::string& scene, const Settings& settings) override {
+    triangle_ = scene == "triangle";
+    SceneProgram::load(scene, settings);
+  }
+
+  void draw(const Frame& frame, const Settings& settings) override {
+    if (triangle_)
+      draw_triangle(frame.target, settings.flag("draw.wireframe"));
+    else
+      SceneProgram::draw(frame, settings);
+  }
+
+ private:
+  void draw_triangle(const Target& target, bool wireframe) {
+    const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
+    const GlProgram program = build_program(
+        *gl_,
+        assemble_shader_text(no_includes, "layout(location = 0) in vec3 p; void main() { gl_Position = vec4(p, 1.0); }", "triangle", {}),
+        assemble_shader_text(no_includes, "out vec4 o; void main() { o = vec4(0.9, 0.5, 0.1, 1.0); }", "triangle", {}));
+    const std::array<glm::vec3, 3> corners = {glm::vec3(-0.8f, -0.6f, 0), glm::vec3(0.7f, -0.8f, 0), glm::vec3(0.1f, 0.8f, 0)};
+    const MeshBuffers made = transforms::upload_triangle(*gl_, corners);
+    const GlVertexArray vertex_array(*gl_, made.vertex_array);
+    const GlBuffer vertex_buffer(*gl_, made.vertex_buffer), index_buffer(*gl_, made.index_buffer);
+
+    target.bind(*gl_);
+    gl_->ClearColor(0.05f, 0.06f, 0.08f, 1);
+    gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    gl_->Disable(GL_CULL_FACE);
+    if (!vertex_array) return;  // not written yet: nothing to draw
+    transforms::set_wireframe(*gl_, wireframe);
+    gl_->UseProgram(program.id());
+    gl_->BindVertexArray(vertex_array.id());
+    gl_->DrawArrays(GL_TRIANGLES, 0, made.count);
+    gl_->BindVertexArray(0);
+    transforms::set_wireframe(*gl_, false);
+    check_gl_error(*gl_, "drawing the triangle");
+  }
+
+  Gl* gl_ = nullptr;
+  bool triangle_ = false;
+};
+
+}  // namespace
+
+}  // namespace atelier
+
+extern "C" atelier::StepProgram* atelier_step_program() { return new atelier::Transforms; }

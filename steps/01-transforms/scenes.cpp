@@ -1,0 +1,132 @@
+#include "01-transforms/scenes.hpp"
+
+#include <glm/gtc/constants.hpp>
+
+#include "01-transforms/transforms.hpp"
+#include "base/error.hpp"
+#include "scene/builder.hpp"
+#include "scene/builtin.hpp"
+#include "scene/shapes.hpp"
+
+namespace atelier {
+
+namespace {
+
+int matte(Scene& scene, const std::string& name, const glm::vec3& colour, bool two_sided = false) {
+  return add_material(scene, {.name = name, .diffuse = colour, .two_sided = two_sided});
+}
+
+/// Low-poly solids, stretched, flattened and mirrored: what normals must survive.
+Scene stretched() {
+  Scene scene{.name = "stretched"};
+  scene.background = {0.05f, 0.06f, 0.08f};
+  const int clay = matte(scene, "clay", {0.8f, 0.45f, 0.3f}), slate = matte(scene, "slate", {0.35f, 0.5f, 0.7f}),
+            moss = matte(scene, "moss", {0.45f, 0.65f, 0.3f}, true);
+  const int ball = add_mesh(scene, make_icosphere({.radius = 0.8f, .subdivisions = 1}));
+  const int teapot = add_mesh(scene, make_teapot({.height = 1.1f, .subdivisions = 6}));
+  add_node(scene, {.name = "plain", .translation = {-3, 0.2, 0}, .mesh = ball, .material = clay});
+  add_node(scene, {.name = "stretched", .translation = {-1, 0.2, 0}, .rotation_axis = {0, 0, 1}, .rotation_angle = 0.5f,
+                   .scale = {0.45f, 1.6f, 0.8f}, .mesh = ball, .material = slate});
+  add_node(scene, {.name = "mirrored", .translation = {1.2, -0.6, 0}, .scale = {-1, 1, 1}, .mesh = teapot, .material = clay});
+  add_node(scene, {.name = "flattened", .translation = {3, 0.2, 0}, .rotation_axis = {0, 1, 0}, .rotation_angle = 0.6f,
+                   .scale = {1, 1, 0}, .mesh = ball, .material = moss});
+  scene.camera = {.eye = {0, 1.2, 7.5}, .target = {0, 0.1, 0}, .fov_y = degrees(35), .near = 0.5f, .far = 50};
+  return scene;
+}
+
+/// The cylindrical hall from step 01's own wall, with square floor and ceiling whose corners the wall hides.
+Scene hall(const Settings& settings) {
+  Scene scene{.name = "hall"};
+  const float radius = 6, height = 4;
+  const int plaster = matte(scene, "plaster", {0.75f, 0.7f, 0.62f}), boards = matte(scene, "boards", {0.5f, 0.33f, 0.2f}),
+            white = matte(scene, "white", {0.8f, 0.8f, 0.8f});
+  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), plaster, {.name = "wall"});
+  add_object(scene, transforms::rectangle({0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}), boards, {.name = "floor"});
+  add_object(scene, transforms::rectangle({0, height, 0}, {radius, 0, 0}, {0, 0, radius}), white, {.name = "ceiling"});
+  scene.camera = {.eye = {-3.5, 1.7, 2}, .target = {4, 1.9, -2.5}, .fov_y = degrees(75), .near = 0.1f, .far = 40};
+  return scene;
+}
+
+/// A hundred boxes, each standing on the corner of the one before it: one wrong product and the spiral falls apart. Every
+/// child is listed before its parent.
+Scene spiral() {
+  Scene scene{.name = "spiral"};
+  scene.background = {0.04f, 0.05f, 0.07f};
+  const int box = add_mesh(scene, make_box({.size = glm::vec3(0.9f, 0.3f, 0.9f)}));
+  const int amber = matte(scene, "amber", {0.9f, 0.6f, 0.2f}), teal = matte(scene, "teal", {0.2f, 0.55f, 0.6f});
+  const int count = 100;
+  for (int i = 0; i < count; ++i) {
+    const bool root = i + 1 == count;
+    Node node{.name = "step", .parent = root ? -1 : i + 1, .translation = {0.42, 0.24, 0}, .rotation_axis = {0, 1, 0},
+              .rotation_angle = degrees(17), .scale = glm::vec3(0.985f), .mesh = box, .material = i % 2 ? amber : teal};
+    if (root) node.translation = {0, 0, 0}, node.scale = glm::vec3(1);
+    add_node(scene, node);
+  }
+  scene.camera = {.eye = {4.2, 9.5, 7.5}, .target = {0, 4.6, -1.2}, .fov_y = degrees(50), .near = 0.5f, .far = 60};
+  return scene;
+}
+
+/// Two fans of slats that cross at a hair's breadth, far behind a near plane that stands very near: depth precision.
+Scene slats() {
+  Scene scene{.name = "slats"};
+  scene.background = {0.02f, 0.02f, 0.03f};
+  const int red = matte(scene, "red", {0.85f, 0.2f, 0.15f}, true), blue = matte(scene, "blue", {0.15f, 0.3f, 0.85f}, true);
+  for (int i = 0; i < 8; ++i) {
+    // In each row blue stands in front of red by a ten-thousandth of its distance.
+    const float distance = 20.0f * std::pow(2.2f, float(i)), size = distance * 0.055f, y = distance * (0.36f - 0.1f * float(i));
+    const Mesh wide = make_box({.size = {size * 14, size, size * 1e-3f}}), narrow = make_box({.size = {size * 7, size, size * 1e-3f}});
+    add_object(scene, wide, red, {.name = "behind", .translation = {0, y, -distance}});
+    add_object(scene, narrow, blue, {.name = "before", .translation = {distance * 0.13f, y, -distance * (1 - 1e-4f)}});
+  }
+  scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y = degrees(50), .near = 0.01f, .far = 10000};
+  return scene;
+}
+
+/// A still life, moved away from the world's origin by the setting world.offset.
+Scene far_away(const Settings& settings) {
+  Scene scene = make_builtin_scene("primitives");
+  const glm::dvec3 offset = settings.real("world.offset") * glm::dvec3(1, 0.25, -0.5);
+  for (Node& node : scene.nodes)
+    if (node.parent < 0) node.translation += offset;
+  for (Light& light : scene.lights) light.position += offset;
+  scene.camera.eye += offset;
+  scene.camera.target += offset;
+  return scene;
+}
+
+/// The robot as a plan: parallel lines stay parallel.
+Scene plan() {
+  Scene scene = make_builtin_scene("robot");
+  const Box3 box = bounds(scene);
+  const glm::dvec3 centre = (box.low + box.high) / 2.0;
+  scene.camera = {.eye = centre + glm::dvec3(8, 6, 8), .target = centre, .projection = Projection::orthographic,
+                  .height = float(1.3 * (box.high.y - box.low.y)), .near = -20, .far = 40};
+  return scene;
+}
+
+}  // namespace
+
+std::vector<std::string> transform_scene_names() {
+  return {"robot", "triangle", "teapot", "stretched", "hall", "spiral", "slats", "far", "plan"};
+}
+
+std::vector<SettingSpec> transform_scene_settings() {
+  return {
+      {.name = "hall.segments", .fallback = 64, .low = 3, .high = 4096, .help = "flat pieces of the hall's round wall"},
+      {.name = "world.offset", .fallback = 0.0, .low = 0, .high = 1e7,
+       .help = "how far the scene 'far' stands from the world's origin, metres"},
+  };
+}
+
+Scene make_transform_scene(const std::string& name, const Settings& settings) {
+  if (name == "stretched") return stretched();
+  if (name == "hall") return hall(settings);
+  if (name == "spiral") return spiral();
+  if (name == "slats") return slats();
+  if (name == "far") return far_away(settings);
+  if (name == "plan") return plan();
+  if (name == "triangle") return {.name = "triangle"};
+  return make_builtin_scene(name);
+}
+
+}  // namespace atelier

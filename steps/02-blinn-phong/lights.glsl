@@ -1,0 +1,43 @@
+// The lights and the material of step 02, as the program sends them. Given. World space, linear light.
+
+struct Material {
+  vec3 diffuse;    // kd
+  vec3 specular;   // ks
+  float exponent;  // n
+};
+
+struct PointLight {
+  vec3 position;
+  vec3 colour;
+  vec3 attenuation;  // constant, linear, quadratic
+};
+
+struct SpotLight {
+  vec3 position;
+  vec3 direction;  // unit vector, the way that the light travels
+  vec3 colour;
+  vec3 attenuation;
+  vec2 cosines;  // of the inner and the outer angle
+};
+
+struct DirectionalLight {
+  vec3 direction;  // unit vector, the way that the light travels
+  vec3 colour;
+};
+
+// Only what the scene has exists: POINT_LIGHTS, SPOT_LIGHTS and DIRECTIONAL_LIGHTS are numbers of lights, 0 where there
+// are none. GLSL has no arrays of size zero: put each loop between #if POINT_LIGHTS > 0 and #endif.
+#if POINT_LIGHTS > 0
+uniform PointLight u_point_lights[POINT_LIGHTS];
+#endif
+#if SPOT_LIGHTS > 0
+uniform SpotLight u_spot_lights[SPOT_LIGHTS];
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+uniform DirectionalLight u_directional_lights[DIRECTIONAL_LIGHTS];
+#endif
+uniform vec3 u_ambient;
+
+#if POWER == 2
+uniform sampler2D u_power_table;  // one row; red is x^n
+#endif

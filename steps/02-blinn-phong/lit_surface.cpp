@@ -1,0 +1,164 @@
+#include "02-blinn-phong/lit_surface.hpp"
+
+#include <fmt/core.h>
+
+#include "02-blinn-phong/blinn_phong.hpp"
+#include "image/colour.hpp"
+
+namespace atelier {
+
+namespace {
+
+bool has_specular(const Material& material) { return material.specular != glm::vec3(0); }
+
+/// The lights of one type, at most `limit` lights of the scene counted in its order.
+std::vector<const Light*> lights_of(const Scene& scene, LightType type, int limit) {
+  std::vector<const Light*> found;
+  for (int i = 0; i < int(scene.lights.size()) && i < limit; ++i)
+    if (scene.lights[std::size_t(i)].type == type) found.push_back(&scene.lights[std::size_t(i)]);
+  return found;
+}
+
+/// A picture as a file would hold it: encoded to sRGB. What the student's srgb_decode then undoes.
+Image encoded(Image image) {
+  for (Rgba& p : image.pixels()) p = {srgb_encode(p.r), srgb_encode(p.g), srgb_encode(p.b), p.a};
+  return image;
+}
+
+Image decoded(Image image) {
+  for (Rgba& p : image.pixels()) p = {blinn_phong::srgb_decode(p.r), blinn_phong::srgb_decode(p.g), blinn_phong::srgb_decode(p.b), p.a};
+  return image;
+}
+
+Filter chosen_filter(const std::string& choice, Filter of_scene) {
+  return choice == "nearest" ? Filter::nearest : choice == "linear" ? Filter::linear : choice == "mipmap" ? Filter::mipmap : of_scene;
+}
+
+}  // namespace
+
+std::vector<SettingSpec> lit_surface_settings() {
+  return {
+      {.name = "shading", .fallback = std::string("pixel"), .choices = {"pixel", "vertex"},
+       .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"},
+      {.name = "specular.normalisation", .fallback = std::string("none"), .choices = {"none", "n+8", "exact"},
+       .help = "the factor that keeps a highlight's energy when the exponent changes"},
+      {.name = "specular.power", .fallback = std::string("direct"), .choices = {"direct", "stable", "table"},
+       .help = "how the cosine is raised to the exponent"},
+      {.name = "specular.table_size", .fallback = 256, .low = 2, .high = 4096, .help = "entries of the power table"},
+      {.name = "light.count", .fallback = 64, .low = 0, .high = 64, .help = "how many of the scene's lights shine, in their order"},
+      {.name = "texture.filter", .fallback = std::string("scene"), .choices = {"scene", "nearest", "linear", "mipmap"},
+       .help = "how texels become a colour; scene: as each texture says"},
+      {.name = "texture.decode", .fallback = std::string("before"), .choices = {"before", "after"},
+       .help = "when texels are decoded from sRGB: before filtering (right), or after it (cheaper to store)"},
+  };
+}
+
+void LitSurface::configure(const Settings& settings) {
+  per_vertex_ = settings.choice("shading") == "vertex";
+  const std::string& normalisation = settings.choice("specular.normalisation");
+  normalisation_ = normalisation == "n+8" ? 1 : normalisation == "exact" ? 2 : 0;
+  const std::string& power = settings.choice("specular.power");
+  power_ = power == "stable" ? Power::stable : power == "table" ? Power::table : Power::direct;
+  table_size_ = settings.integer("specular.table_size");
+  light_limit_ = settings.integer("light.count");
+  filter_ = settings.choice("texture.filter");
+  decode_after_filter_ = settings.choice("texture.decode") == "after";
+}
+
+void LitSurface::prepare(Gl& gl, const Scene& scene) {
+  gl_ = &gl;
+  power_tables_.clear();
+  textures_.clear();
+  textures_.resize(scene.textures.size());
+  for (const Material& material : scene.materials)
+    for (const TextureIndex& index : {material.diffuse_texture, material.specular_texture}) {
+      if (!index || textures_[std::size_t(*index)]) continue;
+      const Texture& texture = scene.textures[std::size_t(*index)];
+      const Image stored = encoded(texture.pixels);
+      const Image base = decode_after_filter_ ? stored : decoded(stored);
+      const Filter filter = chosen_filter(filter_, texture.filter);
+      const std::vector<Image> levels = filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
+      textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
+    }
+}
+
+Need LitSurface::need(const Scene& scene, const View& view, const Material& material) const {
+  Need need{.wanted = true};
+  Defines& d = need.structure;
+  d["POINT_LIGHTS"] = std::to_string(lights_of(scene, LightType::point, light_limit_).size());
+  d["SPOT_LIGHTS"] = std::to_string(lights_of(scene, LightType::spot, light_limit_).size());
+  d["DIRECTIONAL_LIGHTS"] = std::to_string(lights_of(scene, LightType::directional, light_limit_).size());
+  if (has_specular(material)) {
+    d["SPECULAR"] = "1";
+    d["NORMALISATION"] = std::to_string(normalisation_);
+    d["POWER"] = std::to_string(int(power_));
+    if (material.specular_texture) d["SPECULAR_MAP"] = "1";
+  }
+  if (material.diffuse_texture) d["DIFFUSE_MAP"] = "1";
+  if (decode_after_filter_ && (material.diffuse_texture || material.specular_texture)) d["DECODE_AFTER_FILTER"] = "1";
+  if (per_vertex_ && view.output == "colour") d["PER_VERTEX"] = "1";
+  return need;
+}
+
+std::map<Slot, SlotCode> LitSurface::slots() const {
+  return {{Slot::shade, {"02-blinn-phong/surface_lighting.glsl", "shade_surface"}}};
+}
+
+std::map<std::string, std::string> LitSurface::outputs() const {
+  return {{"diffuse", "shade_diffuse_only(surface)"},
+          {"specular", "shade_specular_only(surface)"},
+          {"encoded", "srgb_encode(shade_surface(surface))"}};
+}
+
+void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
+  binder.set("u_ambient", scene.ambient);
+  const auto place = [&](const Light& light) { return glm::vec3(light.position - viewpoint.origin); };
+
+  const auto points = lights_of(scene, LightType::point, light_limit_);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::string name = fmt::format("u_point_lights[{}].", i);
+    binder.set(name + "position", place(*points[i]));
+    binder.set(name + "colour", points[i]->colour);
+    binder.set(name + "attenuation", points[i]->attenuation);
+  }
+  const auto spots = lights_of(scene, LightType::spot, light_limit_);
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    const std::string name = fmt::format("u_spot_lights[{}].", i);
+    binder.set(name + "position", place(*spots[i]));
+    binder.set(name + "direction", glm::normalize(spots[i]->direction));
+    binder.set(name + "colour", spots[i]->colour);
+    binder.set(name + "attenuation", spots[i]->attenuation);
+    binder.set(name + "cosines", blinn_phong::cone_cosines(spots[i]->inner_angle, spots[i]->outer_angle));
+  }
+  const auto suns = lights_of(scene, LightType::directional, light_limit_);
+  for (std::size_t i = 0; i < suns.size(); ++i) {
+    const std::string name = fmt::format("u_directional_lights[{}].", i);
+    binder.set(name + "direction", glm::normalize(suns[i]->direction));
+    binder.set(name + "colour", suns[i]->colour);
+  }
+}
+
+GLuint LitSurface::power_table_for(float exponent) {
+  auto found = power_tables_.find(exponent);
+  if (found == power_tables_.end()) {
+    Image row(table_size_, 1);
+    const std::vector<float> table = blinn_phong::power_table(exponent, table_size_);
+    for (int i = 0; i < table_size_; ++i) row.at(i, 0).r = table[std::size_t(i)];
+    const GLuint texture = blinn_phong::upload_texture(*gl_, std::span(&row, 1), Wrap::clamp_to_edge, Filter::linear);
+    found = power_tables_.emplace(exponent, GlTexture(*gl_, texture)).first;
+  }
+  return found->second.id();
+}
+
+void LitSurface::bind_material(Binder& binder, const Scene&, const Material& material) {
+  binder.set("u_diffuse", material.diffuse);
+  binder.set("u_emission", material.emission);
+  if (material.diffuse_texture) binder.texture("u_diffuse_map", textures_[std::size_t(*material.diffuse_texture)].id());
+  if (!has_specular(material)) return;
+  binder.set("u_specular", material.specular);
+  binder.set("u_exponent", material.exponent);
+  if (material.specular_texture) binder.texture("u_specular_map", textures_[std::size_t(*material.specular_texture)].id());
+  if (power_ == Power::table) binder.texture("u_power_table", power_table_for(material.exponent));
+}
+
+}  // namespace atelier

@@ -1,0 +1,35 @@
+// The lit surface, as a feature of the renderer: what later steps build on. Given.
+#pragma once
+
+#include "render/feature.hpp"
+
+namespace atelier {
+
+/// The settings of this step that belong to the surface (not to the scene).
+std::vector<SettingSpec> lit_surface_settings();
+
+class LitSurface : public Feature {
+ public:
+  void configure(const Settings& settings) override;
+  void prepare(Gl& gl, const Scene& scene) override;
+  Need need(const Scene& scene, const View& view, const Material& material) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  std::map<std::string, std::string> outputs() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+  void bind_material(Binder& binder, const Scene& scene, const Material& material) override;
+
+ private:
+  enum class Power { direct, stable, table };
+  GLuint power_table_for(float exponent);
+
+  bool per_vertex_ = false, decode_after_filter_ = false;
+  int normalisation_ = 0, light_limit_ = 64, table_size_ = 256;
+  Power power_ = Power::direct;
+  std::string filter_ = "scene";
+
+  Gl* gl_ = nullptr;
+  std::vector<GlTexture> textures_;             ///< by index in the scene; empty where no material uses it
+  std::map<float, GlTexture> power_tables_;     ///< by exponent
+};
+
+}  // namespace atelier

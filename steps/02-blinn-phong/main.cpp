@@ -1,0 +1,39 @@
+// 02-blinn-phong: the program. Scenes drawn with step 01's transforms and your light.
+#include "01-transforms/functions.hpp"
+#include "02-blinn-phong/lit_surface.hpp"
+#include "02-blinn-phong/probes.hpp"
+#include "02-blinn-phong/scenes.hpp"
+#include "app/scene_program.hpp"
+
+namespace atelier {
+
+namespace {
+
+StepDescription description() {
+  std::vector<SettingSpec> settings = lit_surface_settings();
+  for (const SettingSpec& spec : blinn_phong_scene_settings()) settings.push_back(spec);
+  return {.name = "02-blinn-phong",
+          .title = "Light and materials after Blinn and Phong",
+          .scenes = blinn_phong_scene_names(),
+          .settings = settings,
+          .outputs = {{"colour", OutputEncoding::linear_colour, "what is seen"},
+                      {"diffuse", OutputEncoding::linear_colour, "the ambient and diffuse part alone"},
+                      {"specular", OutputEncoding::linear_colour, "the highlights alone"},
+                      {"encoded", OutputEncoding::encoded_colour, "what is seen, encoded by your srgb_encode"}},
+          .probes = blinn_phong_probes()};
+}
+
+std::vector<std::unique_ptr<Feature>> features() {
+  std::vector<std::unique_ptr<Feature>> list;
+  list.push_back(std::make_unique<LitSurface>());
+  return list;
+}
+
+}  // namespace
+
+}  // namespace atelier
+
+extern "C" atelier::StepProgram* atelier_step_program() {
+  using namespace atelier;
+  return new SceneProgram(description(), transform_functions(), features, make_blinn_phong_scene);
+}
