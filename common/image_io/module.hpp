@@ -1,0 +1,41 @@
+// What the module atelier-image-io gives to image_io.cpp, and nobody else: bytes to samples and back.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace atelier::image_io {
+
+/// Samples as a file stores them, row 0 at the top, channels interleaved, without padding.
+struct Samples {
+  enum class Type { bits8, bits16, half, single };
+  int width = 0, height = 0, channels = 0;
+  Type type = Type::single;   ///< when reading: the type in the file; `values` are floats then
+  std::vector<float> values;  ///< when reading, integers divided by their largest value; when writing half or single
+  std::vector<std::uint8_t> bytes;   ///< when writing bits8
+  std::vector<std::uint16_t> words;  ///< when writing bits16
+  bool srgb = false;                 ///< when writing: mark the file as sRGB-encoded
+};
+
+struct Limits {
+  int side = 0;
+  std::size_t pixels = 0;
+};
+
+/// All of them throw Error with a reason that does not name the file; the caller does. Formats are OpenImageIO's names.
+struct Module {
+  /// At most the first four channels of the first picture in the file.
+  Samples (*decode)(std::span<const std::byte> file, const std::string& format, const Limits& limits);
+  std::vector<std::byte> (*encode)(const Samples& samples, const std::string& format);
+  /// A GIF of `count` frames of 8-bit RGB; `delay` in hundredths of a second.
+  std::vector<std::byte> (*animate)(int count, const std::function<Samples(int)>& frame, int delay);
+};
+
+inline constexpr const char* module_name = "atelier-image-io";
+inline constexpr const char* module_table = "atelier_image_io_module";  ///< a `const Module`
+
+}  // namespace atelier::image_io
