@@ -4,80 +4,52 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
-#include "case/suggest.hpp"
+#include "case/strict_json.hpp"
 
 namespace atelier::judge {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
+using strict_json::Json;
 
-/// One object of the list, with where it stands for messages: "mistakes.json: entry 2".
-struct Entry {
-  const json& object;
-  std::string where;
-  fs::path folder;
-};
-
-[[noreturn]] void refuse(const Entry& entry, const std::string& member, const std::string& what) {
-  throw Error(fmt::format("{}: {}: {}", entry.where, member, what));
-}
-
-std::string text_of(const Entry& entry, const std::string& member) {
-  const auto found = entry.object.find(member);
-  if (found == entry.object.end()) refuse(entry, member, "is missing");
-  if (!found->is_string() || found->get_ref<const std::string&>().empty())
-    refuse(entry, member, fmt::format("must be a text that is not empty, not {}", found->dump()));
-  return *found;
-}
-
-std::string name_of(const Entry& entry, std::set<std::string>& taken) {
-  const std::string name = text_of(entry, "name");
-  const bool clean = std::all_of(name.begin(), name.end(),
-                                 [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; });
-  if (!clean || name.size() > 64)
-    refuse(entry, "name", fmt::format("'{}' must be at most 64 of the characters a-z, 0-9 and -", name));
-  if (!taken.insert(name).second) refuse(entry, "name", fmt::format("'{}' is there twice", name));
-  return name;
-}
-
-fs::path patch_of(const Entry& entry, const std::string& member) {
-  const fs::path name = text_of(entry, member);
+/// The patch that a member names: a .patch file in the list's own folder.
+fs::path patch_beside(const fs::path& list, const Json& value, const std::string& where) {
+  const fs::path name = strict_json::text(value, where, 200);
   if (name.filename() != name || name.extension() != ".patch")
-    refuse(entry, member, fmt::format("'{}' must be the name of a .patch file beside the list", name.string()));
-  const fs::path path = entry.folder / name;
-  if (!fs::is_regular_file(path)) refuse(entry, member, fmt::format("there is no file {}", path.string()));
+    strict_json::refuse(value, where, "the name of a .patch file beside the list");
+  const fs::path path = list.parent_path() / name;
+  if (!fs::is_regular_file(path)) throw Error(fmt::format("{}: there is no file {}", where, path.string()));
   return path;
 }
 
-/// Calls `read` on every entry of the list in `file`, after checking that it has no member beside `known`.
-template <class Read>
-auto read_list(const fs::path& file, const std::vector<std::string>& known, Read read) {
-  json list;
-  try {
-    list = json::parse(read_file(file, 1 << 20));
-  } catch (const json::exception& error) {
-    throw Error(fmt::format("{}: this is not JSON: {}", file.string(), error.what()));
-  }
-  if (!list.is_array() || list.empty())
-    throw Error(fmt::format("{}: must be a list with at least one entry", file.string()));
+/// Makes an `Item` of every object in the list by `read(item, object, where)`, after what all items share: known
+/// members only, a name that no other has, a title and a patch.
+template <class Item, class Read>
+std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>& members, Read read) {
+  const Json list = strict_json::parse(read_file(file, 1 << 20), file.string());
+  if (!list.is_array() || list.empty()) throw Error(file.string() + ": must be a list with at least one entry");
 
-  std::vector<decltype(read(std::declval<const Entry&>()))> entries;
+  std::vector<Item> items;
+  std::set<std::string> names;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Entry entry{list[i], fmt::format("{}: entry {}", file.string(), i + 1), file.parent_path()};
-    if (!entry.object.is_object()) throw Error(entry.where + ": must be an object");
-    for (const auto& [member, value] : entry.object.items())
-      if (std::find(known.begin(), known.end(), member) == known.end())
-        refuse(entry, member, "is not known" + suggestion(member, known));
-    entries.push_back(read(entry));
+    const std::string entry = fmt::format("{}: entry {}", file.string(), i + 1);
+    strict_json::refuse_unknown(list[i], members, entry);
+    Item item;
+    item.name = strict_json::name(strict_json::required(list[i], "name", entry), entry + ": name");
+    if (!names.insert(item.name).second)
+      throw Error(fmt::format("{}: name: '{}' stands twice in the list; each name must be its own", entry, item.name));
+    const std::string where = fmt::format("{}: '{}'", file.string(), item.name);
+    item.title = strict_json::text(strict_json::required(list[i], "title", where), where + ": title");
+    item.patch = patch_beside(file, strict_json::required(list[i], "patch", where), where + ": patch");
+    read(item, list[i], where);
+    items.push_back(std::move(item));
   }
-  return entries;
+  return items;
 }
 
 /// The regular files of a folder, by name.
@@ -103,24 +75,17 @@ std::string run_patch(const fs::path& patch, const fs::path& folder) {
 }  // namespace
 
 std::vector<Mistake> read_mistakes(const fs::path& file) {
-  std::set<std::string> names;
-  return read_list(file, {"name", "title", "sentence", "hint", "patch", "spelling"}, [&](const Entry& entry) {
-    Mistake mistake{.name = name_of(entry, names),
-                    .title = text_of(entry, "title"),
-                    .sentence = text_of(entry, "sentence"),
-                    .hint = text_of(entry, "hint"),
-                    .patch = patch_of(entry, "patch"),
-                    .spelling = {}};
-    if (entry.object.contains("spelling")) mistake.spelling = patch_of(entry, "spelling");
-    return mistake;
+  const std::vector<std::string> members{"name", "title", "sentence", "hint", "patch", "spelling"};
+  return read_list<Mistake>(file, members, [&](Mistake& mistake, const Json& object, const std::string& where) {
+    mistake.sentence = strict_json::text(strict_json::required(object, "sentence", where), where + ": sentence");
+    mistake.hint = strict_json::text(strict_json::required(object, "hint", where), where + ": hint");
+    if (const Json* spelling = strict_json::optional(object, "spelling"))
+      mistake.spelling = patch_beside(file, *spelling, where + ": spelling");
   });
 }
 
 std::vector<Variant> read_variants(const fs::path& file) {
-  std::set<std::string> names;
-  return read_list(file, {"name", "title", "patch"}, [&](const Entry& entry) {
-    return Variant{.name = name_of(entry, names), .title = text_of(entry, "title"), .patch = patch_of(entry, "patch")};
-  });
+  return read_list<Variant>(file, {"name", "title", "patch"}, [](Variant&, const Json&, const std::string&) {});
 }
 
 void make_patched(const fs::path& solution, const fs::path& patch, const fs::path& folder) {

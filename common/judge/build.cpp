@@ -1,0 +1,239 @@
+#include "judge/build.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <future>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "case/printable.hpp"
+#include "case/strict_json.hpp"
+#include "case/suggest.hpp"
+#include "judge/build_record.hpp"
+#include "judge/includes.hpp"
+
+namespace atelier::judge {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using strict_json::Json;
+
+/// A list of texts, each at most 4096 bytes.
+std::vector<std::string> texts(const Json& value, const std::string& where) {
+  if (!value.is_array()) strict_json::refuse(value, where, "a list of texts");
+  std::vector<std::string> list;
+  for (const Json& item : value) list.push_back(strict_json::text(item, where, 4096));
+  return list;
+}
+
+std::map<std::string, std::vector<std::string>> texts_by_step(const Json& value, const std::string& where) {
+  if (!value.is_object()) strict_json::refuse(value, where, "an object with a list of texts for every step");
+  std::map<std::string, std::vector<std::string>> lists;
+  for (const auto& [step, list] : value.items()) lists[step] = texts(list, where + ": " + step);
+  return lists;
+}
+
+const std::vector<std::string>& files_of(const StepFlags& flags, const std::string& step) {
+  const auto found = flags.files.find(step);
+  if (found != flags.files.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, files] : flags.files) known.push_back(name);
+  throw Error(fmt::format("there is no step '{}'{}", step, suggestion(step, known)));
+}
+
+/// Why a listed file cannot be taken, as a line of the log; empty where it can.
+std::string complaint_about(const fs::path& sources, const std::string& name) {
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(sources / name, error);
+  if (status.type() == fs::file_type::not_found)
+    return fmt::format("{}: is missing; the step is built from it\n", name);
+  if (status.type() != fs::file_type::regular)
+    return fmt::format("{}: must be a regular file, no link or folder\n", name);
+  if (const auto size = fs::file_size(sources / name, error); error || size > source_limit)
+    return fmt::format("{}: must be at most {} bytes long\n", name, source_limit);
+  return {};
+}
+
+/// What must hold before a compiler is started; the complaints, one a line.
+std::string check_sources(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+  const auto headers = flags.headers.find(step);
+  std::string log;
+  for (const std::string& name : files_of(flags, step)) {
+    const std::string complaint = complaint_about(sources, name);
+    log += complaint;
+    if (complaint.empty() && name.ends_with(".cpp"))
+      log += refused_includes(read_file(sources / name, source_limit), name,
+                              headers == flags.headers.end() ? std::vector<std::string>{} : headers->second);
+  }
+  return log;
+}
+
+/// English messages with plain quotes, whatever the user's language, so that reports agree.
+std::map<std::string, std::string> compiler_environment() {
+  std::map<std::string, std::string> environment = {{"LC_ALL", "C"}};
+  for (const char* name : {"PATH", "HOME", "TMPDIR", "CCACHE_DIR"})
+    if (const char* value = std::getenv(name)) environment[name] = value;
+  return environment;
+}
+
+/// Runs a compiler or linker in the folder of the sources; its words come back in `log`, prefixed with what went wrong
+/// where it did not just say so itself.
+bool run_tool(std::vector<std::string> arguments, const fs::path& folder, const std::string& task,
+              milliseconds time_limit, std::string& log) {
+  const Finished finished = run_process({.arguments = std::move(arguments),
+                                         .folder = folder,
+                                         .environment = compiler_environment(),
+                                         .time_limit = time_limit,
+                                         .output_limit = log_limit});
+  log = printable(finished.output, Layout::keep_lines);
+  if (finished.timed_out)
+    log = fmt::format("{}: took longer than {} s and was ended\n", task, time_limit.count() / 1000.0) + log;
+  else if (finished.signal != 0)
+    log = fmt::format("{}: the compiler was ended: {}\n", task, signal_name(finished.signal)) + log;
+  else if (!finished.ok() && log.empty())
+    log = fmt::format("{}: failed with status {} and without a word\n", task, finished.exit_status);
+  return finished.ok();
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+/// How far one command got.
+struct Step {
+  bool ok = false, fresh = false;
+  std::string log;
+};
+
+/// One .cpp file into one object.
+Step compile(const StepFlags& flags, const fs::path& sources, const std::string& source, const fs::path& objects,
+             milliseconds time_limit) {
+  const fs::path dependencies = objects / (source + ".d");
+  Recipe recipe{.command = {flags.compiler}, .folder = sources, .product = objects / (source + ".o")};
+  append(recipe.command, flags.compile);
+  append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
+  if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
+
+  forget_record(recipe);
+  const Inputs before = fingerprints({source}, sources);
+  const auto begin = fs::file_time_type::clock::now();
+  Step step{.ok = false, .fresh = true, .log = {}};
+  step.ok = run_tool(recipe.command, sources, source, time_limit, step.log);
+  if (!step.ok) return step;
+
+  // What was edited while the compiler ran is not what the object is made of: then no record, and the next build asks
+  // the compiler again.
+  const Inputs inputs = fingerprints(read_dependencies(dependencies), sources);
+  const bool steady = std::all_of(inputs.begin(), inputs.end(), [&](const auto& input) {
+    if (input.first == source) return input == before.front();
+    std::error_code error;
+    return fs::last_write_time(sources / input.first, error) < begin && !error;
+  });
+  if (steady) write_record(recipe, inputs, step.log);
+  return step;
+}
+
+/// All .cpp files, two at a time: more would not help on the smallest machines that the course is taught on.
+std::vector<Step> compile_all(const StepFlags& flags, const fs::path& sources, const std::vector<std::string>& names,
+                              const fs::path& objects, milliseconds time_limit) {
+  std::vector<Step> done(names.size());
+  const auto every_second = [&](std::size_t first) {
+    for (std::size_t i = first; i < names.size(); i += 2)
+      done[i] = compile(flags, sources, names[i], objects, time_limit);
+  };
+  std::future<void> other;
+  if (names.size() > 1) other = std::async(std::launch::async, every_second, 1);
+  every_second(0);
+  if (other.valid()) other.get();
+  return done;
+}
+
+/// Links beside the library and renames: a program that has the old one loaded keeps it.
+Step link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
+          const fs::path& library, milliseconds time_limit) {
+  Recipe recipe{.command = {flags.compiler}, .folder = objects, .product = library};
+  std::vector<std::string> inputs;
+  for (const std::string& name : names) inputs.push_back(name + ".o");
+  append(recipe.command, inputs);
+  append(recipe.command, flags.link);
+  if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
+
+  forget_record(recipe);
+  const fs::path partial = objects / fmt::format("{}.{}", library.filename().string(), ::getpid());
+  std::vector<std::string> command = recipe.command;
+  append(command, {"-o", partial.string()});
+  Step step{.ok = false, .fresh = true, .log = {}};
+  step.ok = run_tool(command, objects, "linking", time_limit, step.log);
+  if (!step.ok) return step;
+  std::error_code error;
+  fs::rename(partial, library, error);
+  if (error) throw Error(fmt::format("{}: cannot be written: {}", library.string(), error.message()));
+  write_record(recipe, fingerprints(inputs, objects), step.log);
+  return step;
+}
+
+std::string bounded(const std::string& log) {
+  constexpr std::string_view cut = "\n(more was left out)\n";
+  return log.size() <= log_limit ? log : shorten(log, log_limit - cut.size()) + std::string(cut);
+}
+
+}  // namespace
+
+StepFlags read_step_flags(const fs::path& file) {
+  const std::string where = file.string();
+  const Json json = strict_json::parse(read_file(file, 1 << 20), where);
+  strict_json::refuse_unknown(json, {"compiler", "compile", "link", "files", "headers"}, where);
+  StepFlags flags;
+  flags.compiler = strict_json::text(strict_json::required(json, "compiler", where), where + ": compiler", 4096);
+  flags.compile = texts(strict_json::required(json, "compile", where), where + ": compile");
+  flags.link = texts(strict_json::required(json, "link", where), where + ": link");
+  flags.files = texts_by_step(strict_json::required(json, "files", where), where + ": files");
+  flags.headers = texts_by_step(strict_json::required(json, "headers", where), where + ": headers");
+  for (const auto& [step, names] : flags.files)
+    for (const std::string& name : names)
+      if (fs::path(name).filename() != name || name.front() == '.' || name.front() == '-')
+        throw Error(fmt::format("{}: files: {}: '{}' must be the plain name of a file", where, step, name));
+  return flags;
+}
+
+Built build_step(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& out,
+                 milliseconds time_limit) {
+  const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
+  Built built{.ok = false, .fresh = false, .log = check_sources(flags, step, sources)};
+  if (built.log.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& name : files_of(flags, step))
+      if (name.ends_with(".cpp")) names.push_back(name);
+    std::error_code error;
+    fs::create_directories(objects, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
+
+    std::vector<Step> done = compile_all(flags, fs::absolute(sources), names, objects, time_limit);
+    const auto succeeded = [](const Step& s) { return s.ok; };
+    built.ok = std::all_of(done.begin(), done.end(), succeeded);
+    if (built.ok && !names.empty()) done.push_back(link(flags, names, objects, library, time_limit));
+    for (const Step& s : done) {
+      built.ok = built.ok && s.ok;
+      built.fresh = built.fresh || s.fresh;
+      built.log += s.log;
+    }
+  }
+  built.log = bounded(built.log);
+  if (!built.ok) {  // an older library would be taken for what these files do
+    std::error_code ignored;
+    fs::remove(library, ignored);
+  }
+  return built;
+}
+
+void take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& folder) {
+  for (const std::string& name : files_of(flags, step))
+    if (complaint_about(sources, name).empty()) write_file(folder / name, read_file(sources / name, source_limit));
+}
+
+}  // namespace atelier::judge

@@ -1,0 +1,56 @@
+// Makes a step library out of a student's C++: checked, compiled file by file, linked, and nothing done twice.
+//
+// CMake writes BUILD/step_flags.json, so that a student's file is compiled just as the rest of the project is:
+//
+//   {"compiler": "g++",
+//    "compile": ["-std=c++20", "-I...", "-include", "..."],      options of one compile, the precompiled header among
+//    them "link":    ["-shared", "-fuse-ld=mold"],                    options of the link, after the objects "files":
+//    {"02-blinn-phong": ["blinn_phong.cpp", "blinn_phong.glsl"]},       what a student writes for the step "headers":
+//    {"02-blinn-phong": ["02-blinn-phong/blinn_phong.hpp"]}}            what its C++ may include
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace atelier::judge {
+
+struct StepFlags {
+  std::string compiler;
+  std::vector<std::string> compile, link;
+  std::map<std::string, std::vector<std::string>> files;    ///< by step; plain names
+  std::map<std::string, std::vector<std::string>> headers;  ///< by step
+};
+
+/// Throws Error naming the file, the member and what is allowed.
+StepFlags read_step_flags(const std::filesystem::path& file);
+
+struct Built {
+  bool ok = false;
+  bool fresh = false;  ///< something was compiled or linked; false where all stood there already
+  std::string log;     ///< the compiler's and linker's words, warnings of earlier builds among them; at most log_limit
+};
+
+inline constexpr std::size_t log_limit = 20'000;        ///< bytes
+inline constexpr std::size_t source_limit = 1'000'000;  ///< bytes of one file of a student
+
+/// Builds the step's listed .cpp files in `sources` into OUT/NN-name/libstep.so, which appears whole or not at all, and
+/// is taken away where the files do not build. A step without C++ needs no library and is ok as it stands.
+///
+/// Not ok, with the reason in `log`: a listed file (shaders too) that is missing, no regular file or too large; an
+/// include that is not open to a step (judge/includes.hpp); what the compiler or linker refuses, or cannot do within
+/// `time_limit` for one file.
+///
+/// An object is made again when its source, a header that it includes, or a flag differs from what it was made of.
+/// Throws Error for an unknown step and where `out` cannot be written.
+Built build_step(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
+                 const std::filesystem::path& out, std::chrono::milliseconds time_limit = std::chrono::seconds(60));
+
+/// Copies just the step's listed files from `sources` to `folder`, so that nothing else of a submission is ever read:
+/// links are not followed, and what build_step would refuse is left out.
+void take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
+                     const std::filesystem::path& folder);
+
+}  // namespace atelier::judge

@@ -1,0 +1,313 @@
+#include "judge/runner.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <deque>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
+#include <set>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "case/exchange.hpp"
+#include "case/printable.hpp"
+#include "judge/worker.hpp"
+
+extern char** environ;
+
+namespace atelier::judge {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+using Ended = Answer::Ended;
+
+/// How long a program may take to leave once its last case has ended. Its answers are safe by then.
+constexpr milliseconds leave_limit{2'000};
+/// How often we look for the end of a program whose pipes do not tell of it: seldom where a child of its own holds them
+/// open, often where they are closed, for then it is about to end.
+constexpr milliseconds seldom{20}, often{1};
+
+void check(const RunSettings& settings, const std::vector<Case>& cases) {
+  const auto in_range = [](const char* what, auto value, auto low, auto high) {
+    if (value < low || value > high)
+      throw Error(fmt::format("{}: {} is not allowed; it takes {}..{}", what, value, low, high));
+  };
+  in_range("workers", settings.workers, 1, 64);
+  in_range("driver threads", settings.driver_threads, 0, 32);
+  in_range("time limit of a case in milliseconds", settings.case_limit.count(), 1, 86'400'000);
+  in_range("time limit of the start in milliseconds", settings.start_limit.count(), 1, 86'400'000);
+  if (settings.context != "osmesa" && settings.context != "egl")
+    throw Error(fmt::format("context: '{}' is not allowed; it takes osmesa, egl", settings.context));
+  std::set<std::string> names;
+  for (const Case& c : cases)
+    if (!names.insert(c.name).second) throw Error(fmt::format("case '{}' is there twice", c.name));
+}
+
+/// "the program was ended: segmentation fault (SIGSEGV)"
+std::string in_words(const Exit& exit) {
+  return exit.signal != 0 ? fmt::format("the program was ended by a signal: {}", signal_name(exit.signal))
+                          : fmt::format("the program ended itself with status {}", exit.status);
+}
+
+/// What a program that will not begin says: its last line "error: ...", or its last line.
+std::string last_words(const std::string& output) {
+  std::string last, error;
+  for (std::size_t begin = 0; begin < output.size();) {
+    const std::size_t end = std::min(output.find('\n', begin), output.size());
+    const std::string line = output.substr(begin, end - begin);
+    if (line.starts_with("error: ")) error = line.substr(7);
+    if (!line.empty()) last = line;
+    begin = end + 1;
+  }
+  return shorten(printable(error.empty() ? last : error), 500);
+}
+
+/// Reads what a program left for a case that it has ended. Each file is read once and then removed, so that a long list
+/// of large pictures does not fill the disk.
+Answer read_answer(const Case& c, const fs::path& folder) {
+  Answer answer;
+  const fs::path pixels = folder / (c.name + ".pixels"), values = folder / (c.name + ".values");
+  try {
+    answer.error = read_case_error(folder / (c.name + ".error"));
+    if (!answer.error.empty()) return answer;
+    if (c.probe.empty())
+      answer.pixels = read_pixels(pixels, c.size);
+    else
+      answer.values = read_values(values);
+    answer.ended = Ended::normally;
+  } catch (const Error& error) {
+    answer.error = shorten(printable(error.what()), 500);
+  }
+  std::error_code ignored;
+  fs::remove(pixels, ignored);
+  return answer;
+}
+
+/// The cases that one process at a time works through.
+class Share {
+ public:
+  using Deliver = std::function<void(std::size_t index, Answer)>;
+
+  Share(const RunSettings& settings, const std::vector<Case>& cases, std::deque<std::size_t> waiting, fs::path folder,
+        Deliver deliver)
+      : settings_(settings),
+        cases_(cases),
+        waiting_(std::move(waiting)),
+        folder_(std::move(folder)),
+        deliver_(std::move(deliver)) {
+    start();
+  }
+
+  bool done() const { return worker_ == nullptr; }
+  const Worker& worker() const { return *worker_; }
+  Clock::time_point deadline() const { return deadline_; }
+
+  /// Takes in what has happened since the last call; never waits.
+  void advance();
+
+ private:
+  void start();
+  void listen();
+  void begin(const std::string& name);
+  void end(const std::string& name);
+  void settle(Ended how, const std::string& in_case, const std::string& before_any);
+
+  const RunSettings& settings_;
+  const std::vector<Case>& cases_;
+  std::deque<std::size_t> waiting_;     ///< not begun yet, in order
+  std::optional<std::size_t> running_;  ///< begun and not ended
+  fs::path folder_;                     ///< of the process: its job file and its answers
+  Deliver deliver_;
+  std::unique_ptr<Worker> worker_;
+  int processes_ = 0;
+  bool begun_ = false;  ///< this process has begun a case
+  std::string output_;  ///< printed since the last end
+  Clock::time_point since_, deadline_;
+};
+
+/// Starts a process on what is waiting, in a folder of its own: what a crashed one left lying there is nobody's answer.
+void Share::start() {
+  const fs::path folder = folder_ / std::to_string(++processes_), out = folder / "out", job = folder / "job.json";
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", out.string(), error.message()));
+  nlohmann::json asks = nlohmann::json::array();
+  for (const std::size_t index : waiting_) asks.push_back(to_json(cases_[index]));
+  write_file(job, nlohmann::json{{"cases", asks}}.dump(1) + "\n");
+
+  worker_ = std::make_unique<Worker>(
+      std::vector<std::string>{settings_.program.string(), "--cases", job.string(), "--out", out.string(),
+                               "--implementations", settings_.implementations.to_string(), "--context",
+                               settings_.context, "--progress", std::to_string(progress_descriptor)},
+      program_environment(settings_));
+  begun_ = false;
+  output_.clear();
+  deadline_ = Clock::now() + settings_.start_limit;
+}
+
+void Share::advance() {
+  // Asked before listening: what was written before the end is then in the pipes and is heard.
+  const std::optional<Exit> exit = worker_->ended();
+  listen();
+  if (exit) {
+    const std::string words = in_words(*exit), said = last_words(output_);
+    const bool refused = exit->signal == 0 && exit->status != exit_ok && !said.empty();
+    settle(exit->signal != 0 ? Ended::crashed : Ended::missing, words + " during this case",
+           refused ? said : words + " before its first case");
+  } else if (Clock::now() >= deadline_) {
+    settle(Ended::timeout, fmt::format("this case lasted longer than {} s", settings_.case_limit.count() / 1000.0),
+           fmt::format("the program did not begin its first case within {} s", settings_.start_limit.count() / 1000.0));
+  }
+}
+
+void Share::listen() {
+  const auto hear = [this] {
+    const std::string text = worker_->take_output();
+    output_.append(text, 0, settings_.output_limit - std::min(settings_.output_limit, output_.size()));
+  };
+  hear();
+  for (const std::string& line : worker_->take_lines()) {
+    if (line.starts_with("begin ")) begin(line.substr(6));
+    if (line.starts_with("end ")) {
+      hear();
+      end(line.substr(4));
+    }
+  }
+}
+
+/// Believed only of a case that is asked for and waits, and while no other runs: every case starts its clock once.
+void Share::begin(const std::string& name) {
+  const auto found =
+      std::find_if(waiting_.begin(), waiting_.end(), [&](std::size_t index) { return cases_[index].name == name; });
+  if (running_ || found == waiting_.end()) return;
+  running_ = *found;
+  waiting_.erase(found);
+  begun_ = true;
+  since_ = Clock::now();
+  deadline_ = since_ + settings_.case_limit;
+}
+
+void Share::end(const std::string& name) {
+  if (!running_ || cases_[*running_].name != name) return;
+  Answer answer = read_answer(cases_[*running_], folder_ / std::to_string(processes_) / "out");
+  answer.output = std::exchange(output_, {});
+  answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
+  deliver_(*std::exchange(running_, {}), std::move(answer));
+  deadline_ = Clock::now() + (waiting_.empty() ? leave_limit : settings_.case_limit);
+}
+
+/// The process is over, or is to be. The case that ran is blamed; where none had begun, a new process would fare no
+/// better, and every case that waits gets the same answer; otherwise what waits goes on in a new process.
+void Share::settle(Ended how, const std::string& in_case, const std::string& before_any) {
+  worker_.reset();
+  const auto give_up = [&](std::size_t index, const std::string& error) {
+    Answer answer;
+    answer.ended = how;
+    answer.error = error;
+    answer.output = output_;
+    if (begun_) answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
+    deliver_(index, std::move(answer));
+  };
+  if (running_) give_up(*std::exchange(running_, {}), in_case);
+  if (!begun_)
+    for (; !waiting_.empty(); waiting_.pop_front()) give_up(waiting_.front(), before_any);
+  if (!waiting_.empty()) start();
+}
+
+/// Sleeps until a program has something to tell, a limit is reached, or it is time for a look.
+void wait_for_any(const std::vector<std::unique_ptr<Share>>& shares) {
+  std::vector<pollfd> pipes;
+  const auto now = Clock::now();
+  auto until = now + seldom;
+  for (const auto& share : shares) {
+    if (share->done()) continue;
+    for (const int pipe : {share->worker().progress(), share->worker().output()}) {
+      pipes.push_back({pipe, POLLIN, 0});  // poll passes over -1
+      if (pipe < 0) until = std::min(until, now + often);
+    }
+    until = std::min(until, share->deadline());
+  }
+  const auto left = std::chrono::ceil<milliseconds>(until - Clock::now());
+  ::poll(pipes.data(), pipes.size(), static_cast<int>(std::max(left, milliseconds(0)).count()));
+}
+
+bool bends_the_driver(const std::string& variable) {
+  constexpr const char* prefixes[] = {"LP_", "GALLIUM_", "GALLIVM_", "MESA_", "LIBGL_", "LD_", "LC_"};
+  return std::any_of(std::begin(prefixes), std::end(prefixes),
+                     [&](const char* prefix) { return variable.starts_with(prefix); });
+}
+
+}  // namespace
+
+std::map<std::string, std::string> program_environment(const RunSettings& settings) {
+  std::map<std::string, std::string> environment;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry;
+    const std::size_t equals = text.find('=');
+    if (equals != std::string::npos && !bends_the_driver(text))
+      environment[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  environment["LANG"] = "C";
+  environment["LP_NUM_THREADS"] = std::to_string(settings.driver_threads);
+  // Without LLVM's optimisation passes llvmpipe compiles shaders in half the time, and draws the same bits.
+  environment["GALLIVM_PERF"] = "nopt";
+  if (settings.shader_cache.empty())
+    environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  else
+    environment["MESA_SHADER_CACHE_DIR"] = fs::absolute(settings.shader_cache).string();
+  for (const auto& [name, value] : settings.environment) environment[name] = value;
+  return environment;
+}
+
+std::vector<std::size_t> asking_order(std::size_t count, std::optional<std::uint64_t> seed) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  if (!seed) return order;
+  // Fisher and Yates' shuffle by hand: std::shuffle draws differently in every standard library.
+  std::mt19937_64 random(*seed);
+  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
+  return order;
+}
+
+std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Case>& cases, const OnAnswer& on_answer) {
+  check(settings, cases);
+  if (!settings.shader_cache.empty()) {
+    std::error_code error;
+    fs::create_directories(settings.shader_cache, error);
+    if (error) throw Error(fmt::format("{}: cannot be made: {}", settings.shader_cache.string(), error.message()));
+  }
+  std::vector<Answer> answers(cases.size());
+  const auto deliver = [&](std::size_t index, Answer answer) {
+    answers[index] = std::move(answer);
+    if (on_answer) on_answer(index, answers[index]);
+  };
+
+  // Interleaved shares: cases of one kind stand together in a list, and are slow together.
+  const std::size_t count = std::min<std::size_t>(static_cast<std::size_t>(settings.workers), cases.size());
+  std::vector<std::deque<std::size_t>> indices(count);
+  const std::vector<std::size_t> order = asking_order(cases.size(), settings.shuffle);
+  for (std::size_t i = 0; i < order.size(); ++i) indices[i % count].push_back(order[i]);
+
+  const TemporaryFolder folder("atelier-run");
+  std::vector<std::unique_ptr<Share>> shares;
+  for (std::size_t i = 0; i < count; ++i)
+    shares.push_back(std::make_unique<Share>(settings, cases, indices[i], folder.path() / std::to_string(i), deliver));
+  const auto done = [](const auto& share) { return share->done(); };
+  while (!std::all_of(shares.begin(), shares.end(), done)) {
+    wait_for_any(shares);
+    for (const auto& share : shares)
+      if (!share->done()) share->advance();
+  }
+  return answers;
+}
+
+}  // namespace atelier::judge
