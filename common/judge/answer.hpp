@@ -16,9 +16,9 @@ struct Answer {
   Ended ended = Ended::missing;
   std::optional<Image> pixels;
   std::optional<std::vector<Numbers>> values;
-  std::string error;    ///< one sentence: what the program or the reader of its files objected to; untrusted text
-  std::string output;   ///< what the program printed around this case, bounded; untrusted text
-  double seconds = 0;   ///< wall clock of this case, for information only
+  std::string error;   ///< one sentence: what the program or the reader of its files objected to; untrusted text
+  std::string output;  ///< what the program printed around this case, bounded; untrusted text
+  double seconds = 0;  ///< wall clock of this case, for information only
 };
 
 }  // namespace atelier::judge

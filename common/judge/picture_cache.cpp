@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
@@ -21,6 +22,7 @@ struct Header {
   std::array<char, 8> magic{'A', 'T', 'L', 'C', 'A', 'C', 'H', '1'};
   std::uint32_t width = 0, height = 0;
   std::uint64_t checksum = 0;
+  std::array<char, 64> key{};  ///< which state of which picture this was
 };
 
 /// Finds torn and rotten entries at memory speed; it is no defence against malice, which SHA-256 on the picture is.
@@ -42,7 +44,7 @@ std::uint64_t checksum(std::span<const Rgba> pixels) {
   return folded;
 }
 
-std::optional<Image> read_entry(const std::filesystem::path& file) {
+std::optional<Image> read_entry(const std::filesystem::path& file, const std::array<char, 64>& key) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) return std::nullopt;
   try {
@@ -51,7 +53,8 @@ std::optional<Image> read_entry(const std::filesystem::path& file) {
     if (bytes.size() < sizeof header) return std::nullopt;
     std::memcpy(&header, bytes.data(), sizeof header);
     const auto side_fits = [](std::uint32_t side) { return side >= 1 && side <= std::uint32_t(Image::max_side); };
-    if (header.magic != Header{}.magic || !side_fits(header.width) || !side_fits(header.height)) return std::nullopt;
+    if (header.magic != Header{}.magic || header.key != key) return std::nullopt;
+    if (!side_fits(header.width) || !side_fits(header.height)) return std::nullopt;
     if (bytes.size() != sizeof header + std::size_t(header.width) * header.height * sizeof(Rgba)) return std::nullopt;
     Image image(int(header.width), int(header.height));
     std::memcpy(image.pixels().data(), bytes.data() + sizeof header, bytes.size() - sizeof header);
@@ -62,8 +65,9 @@ std::optional<Image> read_entry(const std::filesystem::path& file) {
   }
 }
 
-void write_entry(const std::filesystem::path& file, const Image& image) {
+void write_entry(const std::filesystem::path& file, const std::array<char, 64>& key, const Image& image) {
   Header header;
+  header.key = key;
   header.width = std::uint32_t(image.width());
   header.height = std::uint32_t(image.height());
   header.checksum = checksum(image.pixels());
@@ -88,12 +92,16 @@ Image cached_picture(const std::filesystem::path& folder, const std::filesystem:
   const auto changed = std::filesystem::last_write_time(picture, problem);
   if (problem) throw Error(fmt::format("{}: cannot be read: {}", picture.string(), problem.message()));
 
-  const std::string key = fmt::format("{}\n{}\n{}\n{}", std::filesystem::absolute(picture).lexically_normal().string(),
-                                      size, changed.time_since_epoch().count(), fingerprint);
-  const std::filesystem::path entry = folder / (sha256(key).substr(0, 32) + ".raw");
-  if (auto kept = read_entry(entry)) return std::move(*kept);
+  // Named by the picture's place, so that a changed picture replaces its old entry instead of leaving it behind.
+  const std::string place = std::filesystem::absolute(picture).lexically_normal().string();
+  const std::filesystem::path entry = folder / (sha256(place).substr(0, 32) + ".raw");
+  const std::string state =
+      sha256(fmt::format("{}\n{}\n{}\n{}", place, size, changed.time_since_epoch().count(), fingerprint));
+  std::array<char, 64> key;
+  std::copy_n(state.begin(), key.size(), key.begin());
+  if (auto kept = read_entry(entry, key)) return std::move(*kept);
   Image image = decode();
-  write_entry(entry, image);
+  write_entry(entry, key, image);
   return image;
 }
 
