@@ -66,6 +66,7 @@ struct CylinderWallShape {
   float radius = 1, height = 1;
   int segments = 48;  ///< 3..65536
   Side side = Side::outside;
+  glm::vec2 repeat{1};  ///< how often the texture is laid around and up, 1e-3 .. 1e4
 };
 Mesh make_cylinder_wall(const CylinderWallShape& shape = {});
 

@@ -21,6 +21,12 @@ glm::dvec3 around_y(int i, int n) {
   return {p.x, 0, -p.y};
 }
 
+void require_repeat(const char* shape, const glm::vec2& repeat) {
+  for (const float times : {repeat.x, repeat.y})
+    if (!(times >= 1e-3f && times <= 1e4f))
+      throw Error(fmt::format("{}: repeat {} (allowed: 0.001..10000)", shape, times));
+}
+
 }  // namespace
 
 Mesh make_box(const BoxShape& shape) {
@@ -49,9 +55,7 @@ Mesh make_plane(const PlaneShape& shape) {
   require_length("plane", "depth", shape.depth);
   require_count("plane", "columns", shape.columns, 1, 4096);
   require_count("plane", "rows", shape.rows, 1, 4096);
-  for (int i = 0; i < 2; ++i)
-    if (!(shape.repeat[i] >= 1e-3f && shape.repeat[i] <= 1e4f))
-      throw Error(fmt::format("plane: repeat {} (allowed: 0.001..10000)", shape.repeat[i]));
+  require_repeat("plane", shape.repeat);
   Mesh mesh{.name = "plane"};
   add_grid(mesh, shape.columns, shape.rows, [&](int column, int row) {
     const float u = float(column) / float(shape.columns), v = float(row) / float(shape.rows);
@@ -64,13 +68,15 @@ Mesh make_cylinder_wall(const CylinderWallShape& shape) {
   require_length("cylinder wall", "radius", shape.radius);
   require_length("cylinder wall", "height", shape.height);
   require_count("cylinder wall", "segments", shape.segments, 3, most_segments);
+  require_repeat("cylinder wall", shape.repeat);
   const int n = shape.segments;
   const bool inside = shape.side == Side::inside;
   Mesh mesh{.name = "cylinder wall"};
   add_grid(mesh, n, 1, [&](int column, int row) {
     const glm::dvec3 outward = around_y(inside ? n - column : column, n);
     const glm::dvec3 position = double(shape.radius) * outward + glm::dvec3(0, row * double(shape.height), 0);
-    return Vertex{glm::vec3(position), glm::vec3(inside ? -outward : outward), {float(column) / float(n), float(row)}};
+    const glm::vec2 texcoord(float(column) / float(n), float(row));
+    return Vertex{glm::vec3(position), glm::vec3(inside ? -outward : outward), texcoord * shape.repeat};
   });
   return mesh;
 }
