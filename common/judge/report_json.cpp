@@ -1,0 +1,85 @@
+#include "judge/report_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/file.hpp"
+#include "case/strict_json.hpp"
+
+namespace atelier::judge {
+namespace {
+
+using Json = nlohmann::ordered_json;  // members in the order in which people read them
+
+Json number(double value) {
+  return Json(strict_json::from_number(value));
+}
+
+Json points(double value) {
+  return number(std::round(value * 1e6) / 1e6);
+}
+
+Json text_or_null(const std::optional<std::string>& text) {
+  return text ? Json(*text) : Json(nullptr);
+}
+
+Json colour(const Rgba& c) {
+  return {number(c.r), number(c.g), number(c.b), number(c.a)};
+}
+
+Json worst_json(const std::optional<Worst>& worst) {
+  if (!worst) return nullptr;
+  return {{"x", worst->x}, {"y", worst->y}, {"yours", colour(worst->yours)}, {"reference", colour(worst->reference)}};
+}
+
+Json case_json(const CaseResult& result) {
+  Json figures = Json::object();
+  for (const auto& [name, value] : result.figures) figures[name] = number(value);
+  return {{"name", result.name},
+          {"title", result.title},
+          {"status", to_string(result.status)},
+          {"score", points(result.score)},
+          {"max_score", points(result.max_score)},
+          {"reason", result.reason},
+          {"mistake", text_or_null(result.mistake)},
+          {"hint", result.hint},
+          {"asked", result.asked},
+          {"mistake_sentence", text_or_null(result.mistake_sentence)},
+          {"credit", result.credit},
+          {"command", result.command},
+          {"figures", std::move(figures)},
+          {"worst", worst_json(result.worst)},
+          {"table", result.table},
+          {"output", result.output}};
+}
+
+Json step_json(const StepResult& step) {
+  Json cases = Json::array();
+  for (const CaseResult& result : step.cases) cases.push_back(case_json(result));
+  return {{"step", step.step},
+          {"title", step.title},
+          {"score", points(step.score)},
+          {"max_score", points(step.max_score)},
+          {"implementations", step.implementations},
+          {"build_log", step.build_log},
+          {"cases", std::move(cases)}};
+}
+
+}  // namespace
+
+std::string results_json(const SubmissionResult& result) {
+  Json steps = Json::array();
+  for (const StepResult& step : result.steps) steps.push_back(step_json(step));
+  const Json document = {{"submission", result.submission},
+                         {"score", points(result.score)},
+                         {"max_score", points(result.max_score)},
+                         {"steps", std::move(steps)},
+                         {"environment", result.environment}};
+  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_results_json(const std::filesystem::path& file, const SubmissionResult& result) {
+  write_file(file, results_json(result));
+}
+
+}  // namespace atelier::judge

@@ -1,0 +1,244 @@
+#include "judge/report_terminal.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "case/printable.hpp"
+#include "judge/report_words.hpp"
+
+namespace atelier::judge {
+namespace {
+
+constexpr int label_width = 12;  // columns of "looks like" and its indentation
+
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+// ---- words and columns
+
+/// Columns that printable text takes, counting each character as one: names and sentences of ours are narrow.
+int columns(std::string_view text) {
+  return int(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string text, int width) {
+  return text + std::string(std::size_t(std::max(0, width - columns(text))), ' ');
+}
+
+/// The front of a text, at most `width` columns.
+std::string fitted(std::string_view text, int width) {
+  if (columns(text) <= width) return std::string(text);
+  std::size_t end = 0;
+  for (int taken = 0; end < text.size(); ++end) {
+    const bool starts_character = (text[end] & 0xC0) != 0x80;
+    if (starts_character && taken++ == width - 3) break;
+  }
+  return std::string(text.substr(0, end)) + "...";
+}
+
+/// Words in lines of at most `width` columns, further lines indented; a longer word stands alone.
+std::string wrapped(std::string_view text, int width, int indent) {
+  std::string lines;
+  int used = 0;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (used > 0 && used + 1 + columns(word) > width) {
+      lines += "\n" + std::string(std::size_t(indent), ' ');
+      used = 0;
+    } else if (used > 0) {
+      lines += ' ', ++used;
+    }
+    lines += word;
+    used += columns(word);
+  }
+  return lines;
+}
+
+std::string indented(std::string_view text, std::string_view indent) {
+  std::string lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    lines.append(indent).append(text.substr(0, end)).append("\n");
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+// ---- colour and links
+
+constexpr const char* bold = "1";
+constexpr const char* dim = "2";
+
+std::string painted(std::string text, const char* code, const TerminalStyle& style) {
+  return style.colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+std::string linked(std::string text, const std::string& anchor, const TerminalStyle& style) {
+  if (style.report_url.empty()) return text;
+  return fmt::format("\x1b]8;;{}#{}\x1b\\{}\x1b]8;;\x1b\\", printable(style.report_url), anchor, text);
+}
+
+const char* colour_of(Status status) {
+  switch (status) {
+    case Status::passed:
+      return "32";  // green
+    case Status::failed:
+      return "31";  // red
+    case Status::missing:
+      return "33";  // yellow: nothing to judge
+    case Status::crashed:
+    case Status::timeout:
+    case Status::build_failed:
+      return "35";  // magenta: the program, rather than its answer
+  }
+  return "0";
+}
+
+std::string mark(Status status, const TerminalStyle& style) {
+  const bool passed = status == Status::passed;
+  const char* const sign = style.unicode ? (passed ? "\u2713" : "\u2717") : (passed ? "+" : "x");
+  return painted(sign, colour_of(status), style);
+}
+
+// ---- the parts of a report
+
+std::string reason_words(const CaseResult& result) {
+  const bool said = result.status == Status::passed || result.status == Status::failed;
+  const std::string reason = printable(result.reason);
+  return said ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
+}
+
+std::string case_line(const StepResult& step, const CaseResult& result, int name_width, int score_width,
+                      const TerminalStyle& style) {
+  const std::string name = fitted(printable(result.name), name_width);
+  const std::string gap(std::size_t(name_width - columns(name)), ' ');
+  const std::string score = points_text(result.score) + "/" + points_text(result.max_score);
+  const int left = std::max(20, style.width - name_width - score_width - 8);
+  return fmt::format("  {} {}{}  {:>{}}  {}\n", mark(result.status, style),
+                     linked(name, case_anchor(step, result), style), gap, score, score_width,
+                     fitted(reason_words(result), left));
+}
+
+std::string step_table(const StepResult& step, const TerminalStyle& style) {
+  int name_width = 8, score_width = 3;
+  for (const CaseResult& result : step.cases) {
+    name_width = std::clamp(columns(printable(result.name)), name_width, 32);
+    const std::string score = points_text(result.score) + "/" + points_text(result.max_score);
+    score_width = std::max(score_width, int(score.size()));
+  }
+  std::string text = painted(printable(step.step), bold, style) + "  " + printable(step.title) + "  " +
+                     painted(score_text(step.score, step.max_score), bold, style) + "\n";
+  for (const auto& [of_step, who] : step.implementations) {
+    text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
+  }
+  for (const CaseResult& result : step.cases) text += case_line(step, result, name_width, score_width, style);
+  return text;
+}
+
+std::string case_explanation(const StepResult& step, const CaseResult& result, const TerminalStyle& style) {
+  std::string text = "\n" + mark(result.status, style) + " " +
+                     linked(painted(printable(result.name), bold, style), case_anchor(step, result), style) + "  " +
+                     printable(result.title) + "\n";
+  for (const Remark& remark : remarks(result)) {
+    const bool verbatim = remark.label == "again";  // a command must be copied in one piece
+    const std::string words = printable(remark.text);
+    text += painted(padded("  " + remark.label, label_width), dim, style) +
+            (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";
+  }
+  if (!result.table.empty()) text += indented(printable(result.table, Layout::keep_lines), "    ");
+  if (style.heat_maps && result.evidence) text += indented(ascii_heat_map(result.evidence->over), "    ");
+  if (!result.output.empty()) {
+    text += painted("  the program said:", dim, style) + "\n";
+    text += indented(printable(result.output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool can_link(int descriptor) {
+  return ::isatty(descriptor) == 1 && variable("TERM") != "dumb";
+}
+
+TerminalStyle terminal_style(int descriptor) {
+  TerminalStyle style;
+  style.colour = can_link(descriptor) && variable("NO_COLOR").empty();
+  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    if (variable(name).empty()) continue;
+    const std::string_view locale = variable(name);
+    style.unicode = locale.find("UTF-8") != locale.npos || locale.find("utf8") != locale.npos;
+    break;  // the first that is set counts
+  }
+  winsize window{};
+  if (::ioctl(descriptor, TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
+    style.width = std::max<int>(40, window.ws_col);
+  return style;
+}
+
+std::string terminal_report(const StepResult& step, const TerminalStyle& style) {
+  std::string text = step_table(step, style);
+  if (!step.build_log.empty()) {
+    text += painted("  the compiler said:", dim, style) + "\n";
+    text += indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+  }
+  for (const CaseResult& result : step.cases) {
+    if (result.status != Status::passed) text += case_explanation(step, result, style);
+  }
+  return text;
+}
+
+std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style) {
+  std::string text;
+  for (const StepResult& step : result.steps) text += terminal_report(step, style) + "\n";
+  int passed = 0;
+  std::size_t cases = 0;
+  for (const StepResult& step : result.steps) passed += count(step, Status::passed), cases += step.cases.size();
+  return text + fmt::format("{}  {}, {} of {} cases passed\n", painted(printable(result.submission), bold, style),
+                            painted(score_text(result.score, result.max_score), bold, style), passed, cases);
+}
+
+std::string ascii_heat_map(const Image& errors, int columns_wanted) {
+  if (errors.empty()) return {};
+  constexpr std::string_view signs = " .:-=+*#%@";
+  const int width = std::clamp(columns_wanted, 1, errors.width());
+  // Letters are about twice as tall as wide.
+  const int height = std::clamp(int(double(errors.height()) * width / errors.width() / 2 + 0.5), 1, errors.height());
+  std::vector<double> means;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int x0 = int(std::int64_t(column) * errors.width() / width);
+      const int x1 = int(std::int64_t(column + 1) * errors.width() / width);
+      const int y0 = int(std::int64_t(row) * errors.height() / height);
+      const int y1 = int(std::int64_t(row + 1) * errors.height() / height);
+      double sum = 0;
+      for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) sum += std::min(1.0f, std::max(0.0f, errors.at(x, y).r));
+      }
+      means.push_back(sum / (double(x1 - x0) * (y1 - y0)));
+    }
+  }
+  const double largest = *std::max_element(means.begin(), means.end());
+  const std::string edge = "+" + std::string(std::size_t(width), '-') + "+\n";
+  std::string text = edge;
+  for (int row = 0; row < height; ++row) {
+    text += '|';
+    for (int column = 0; column < width; ++column) {
+      const double mean = means[std::size_t(row) * width + column];
+      const int level = mean > 0 ? 1 + int(mean / largest * double(signs.size() - 2)) : 0;
+      text += signs[std::size_t(std::min(level, int(signs.size()) - 1))];
+    }
+    text += "|\n";
+  }
+  return text + edge;
+}
+
+}  // namespace atelier::judge
