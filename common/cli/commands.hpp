@@ -1,0 +1,78 @@
+// The subcommands of ./atelier: what each can be told, and the function that does it. One file each.
+//
+// Every function returns an exit status (base/error.hpp) and throws Error for bad input, before anything was written.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace atelier {
+
+struct ListOptions {
+  bool json = false;
+};
+int run_list(const ListOptions& options);
+
+struct CheckOptions {
+  std::string step;
+  std::vector<std::string> cases;  ///< only these; empty: all
+  std::string context = "osmesa";  ///< or "egl"
+  std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
+  std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
+  bool heatmap = false, json = false, skip_report = false;
+};
+int run_check(const CheckOptions& options);
+
+struct RunOptions {
+  std::string step;
+  std::vector<std::string> arguments;  ///< for the step's program
+  std::string earlier;
+};
+int run_run(const RunOptions& options);
+
+struct GradeOptions {
+  std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
+  std::filesystem::path out;         ///< empty: out/grade/NAME
+  std::vector<std::string> steps;    ///< asked for even where they are absent; empty: those that are there
+  int workers = 2;
+  std::string context = "osmesa";
+  std::optional<std::uint64_t> shuffle;
+  bool json = false;
+};
+int run_grade(const GradeOptions& options);
+
+struct AuditOptions {
+  std::vector<std::string> steps;
+  std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere
+  bool json = false;
+};
+int run_audit(const AuditOptions& options);
+
+struct ReferenceOptions {
+  std::vector<std::string> steps, cases;
+  bool check = false, json = false;
+};
+int run_reference(const ReferenceOptions& options);
+
+struct SkeletonOptions {
+  std::vector<std::string> steps;
+  bool check = false, force = false;
+};
+int run_skeleton(const SkeletonOptions& options);
+
+struct BenchOptions {
+  std::string step = "02";
+  int repeats = 5;
+  bool json = false;
+};
+int run_bench(const BenchOptions& options);
+
+struct TestOptions {
+  enum class Tier { quick, usual, all } tier = Tier::usual;
+};
+int run_test(const TestOptions& options);
+
+}  // namespace atelier

@@ -1,0 +1,91 @@
+// ./atelier list: the steps of the course, and how far this copy of it is.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "case/suggest.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+#include "cli/skeleton_record.hpp"
+#include "judge/judged_case.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct Row {
+  CourseStep step;
+  std::vector<SkeletonState> states;  ///< of its files
+  int cases = 0;
+  double points = 0;
+  bool program = false, mine = false, solution = false;  ///< what is built
+};
+
+Row describe(const ProjectFolders& folders, const CourseStep& step, const SkeletonRecord& record) {
+  Row row{.step = step};
+  for (const std::string& file : step.files)
+    row.states.push_back(skeleton_state(folders.steps(), record, step.name + "/" + file));
+  if (fs::exists(folders.case_file(step.name))) {
+    const judge::CaseFile file = judge::read_case_file(folders.case_file(step.name));
+    row.cases = int(file.cases.size());
+    for (const judge::JudgedCase& c : file.cases) row.points += c.points;
+  }
+  const auto built = [&](const char* whose) {
+    return fs::exists(folders.implementations() / whose / step.name / "libstep.so");
+  };
+  row.program = fs::exists(folders.program(step.name));
+  row.mine = built("mine");
+  row.solution = built("solutions");
+  return row;
+}
+
+std::string files_in_words(const Row& row) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < row.states.size(); ++i)
+    words.push_back(fmt::format("{} ({})", row.step.files[i], to_string(row.states[i])));
+  return join(words);
+}
+
+void print_table(const std::vector<Row>& rows) {
+  fmt::print("{:<20} {:>5} {:>6}  {}\n", "step", "cases", "points", "title");
+  for (const Row& row : rows) {
+    fmt::print("{:<20} {:>5} {:>6g}  {}\n", row.step.name, row.cases, row.points, row.step.title);
+    fmt::print("{:<33}  {}{}\n", "", files_in_words(row), row.program ? "" : "; its program is not built");
+  }
+}
+
+Json to_json(const std::vector<Row>& rows) {
+  Json steps = Json::array();
+  for (const Row& row : rows) {
+    Json files = Json::array();
+    for (std::size_t i = 0; i < row.states.size(); ++i)
+      files.push_back({{"name", row.step.files[i]}, {"state", to_string(row.states[i])}});
+    steps.push_back({{"step", row.step.name},
+                     {"title", row.step.title},
+                     {"files", files},
+                     {"uses", row.step.uses},
+                     {"cases", row.cases},
+                     {"points", row.points},
+                     {"built", {{"program", row.program}, {"mine", row.mine}, {"solution", row.solution}}}});
+  }
+  return {{"steps", steps}};
+}
+
+}  // namespace
+
+int run_list(const ListOptions& options) {
+  const ProjectFolders folders = project_folders();
+  const SkeletonRecord record = read_skeleton_record(folders.steps());
+  std::vector<Row> rows;
+  for (const CourseStep& step : read_course(folders.step_flags())) rows.push_back(describe(folders, step, record));
+  if (options.json)
+    fmt::print("{}\n", to_json(rows).dump(2));
+  else
+    print_table(rows);
+  return exit_ok;
+}
+
+}  // namespace atelier

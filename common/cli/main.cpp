@@ -1,0 +1,167 @@
+// The program behind ./atelier. CLI11 costs six seconds to compile, so it is included here and nowhere else.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+
+namespace atelier {
+namespace {
+
+/// The command line as it is being described; the subcommand that was named leaves in `action` what is to be done.
+struct Interface {
+  CLI::App app{"A course in real-time rendering that grades itself."};
+  std::function<int()> action;
+
+  /// A subcommand whose options are read into `options` and handed to `run`.
+  template <class Options>
+  CLI::App* add(const char* name, const char* text, Options& options, int (*run)(const Options&)) {
+    CLI::App* command = app.add_subcommand(name, text);
+    command->final_callback([this, &options, run] { action = [&options, run] { return run(options); }; });
+    return command;
+  }
+};
+
+void add_step(CLI::App* command, std::string& step) {
+  command->add_option("step", step, "A step: 02, 2, 02-blinn-phong or a part of the name")->required();
+}
+void add_steps(CLI::App* command, std::vector<std::string>& steps) {
+  command->add_option("step", steps, "Steps; without one: all");
+}
+void add_json(CLI::App* command, bool& json) {
+  command->add_flag("--json", json, "Print for programs");
+}
+void add_context(CLI::App* command, std::string& context) {
+  command->add_option("--context", context, "Where OpenGL comes from")
+      ->check(CLI::IsMember({"osmesa", "egl"}))
+      ->capture_default_str();
+}
+void add_earlier(CLI::App* command, std::string& earlier) {
+  command
+      ->add_option("--earlier", earlier, "Who stands behind the earlier steps; without it: you, where you have passed")
+      ->check(CLI::IsMember({"mine", "solution"}));
+}
+
+struct AllOptions {
+  ListOptions list;
+  CheckOptions check;
+  RunOptions run;
+  GradeOptions grade;
+  AuditOptions audit;
+  ReferenceOptions reference;
+  SkeletonOptions skeleton;
+  BenchOptions bench;
+  TestOptions test;
+};
+
+void describe_for_students(Interface& interface, AllOptions& options) {
+  CLI::App* list = interface.add("list", "The steps, their files, cases and points", options.list, run_list);
+  add_json(list, options.list.json);
+
+  CLI::App* check = interface.add("check", "Build, draw and judge your own files of a step", options.check, run_check);
+  add_step(check, options.check.step);
+  check->add_option("--case", options.check.cases, "Only this case; may stand several times");
+  add_context(check, options.check.context);
+  add_earlier(check, options.check.earlier);
+  check->add_option("--report", options.check.report, "Folder of the report; without it: out/check/STEP");
+  check->add_flag("--heatmap", options.check.heatmap, "Show where a picture differs, in letters");
+  check->add_flag("--skip-report", options.check.skip_report, "Print the verdict and write nothing");
+  add_json(check, options.check.json);
+
+  CLI::App* run = interface.add("run", "Build your own files of a step and open its program", options.run, run_run);
+  add_earlier(run, options.run.earlier);
+  run->prefix_command()->footer("STEP and then the program's own arguments: ./atelier run 02 --scene teapot");
+}
+
+void describe_for_graders(Interface& interface, AllOptions& options) {
+  GradeOptions& grade = options.grade;
+  CLI::App* command = interface.add("grade", "Grade a submission", grade, run_grade);
+  command->add_option("submission", grade.submission, "A folder with a folder a step inside, or a ZIP of one")
+      ->required();
+  command->add_option("--out", grade.out, "Folder of the results; without it: out/grade/NAME");
+  command->add_option("--step", grade.steps, "Grade this step, absent or not; may stand several times");
+  command->add_option("--workers", grade.workers, "Programs that draw at a time")
+      ->check(CLI::Range(1, 64))
+      ->capture_default_str();
+  command->add_option("--shuffle", grade.shuffle, "Ask for the cases in an order drawn from this seed");
+  add_context(command, grade.context);
+  add_json(command, grade.json);
+}
+
+void describe_for_authors(Interface& interface, AllOptions& options) {
+  CLI::App* skeleton =
+      interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
+  add_steps(skeleton, options.skeleton.steps);
+  skeleton->add_flag("--check", options.skeleton.check, "Write nothing; fail where something would change");
+  skeleton->add_flag("--force", options.skeleton.force, "Overwrite files that somebody has worked on");
+
+  CLI::App* reference =
+      interface.add("reference", "Draw the reference pictures with the solution", options.reference, run_reference);
+  add_steps(reference, options.reference.steps);
+  reference->add_option("--case", options.reference.cases, "Only this case; may stand several times");
+  reference->add_flag("--check", options.reference.check, "Write nothing; fail where something would change");
+  add_json(reference, options.reference.json);
+
+  CLI::App* audit =
+      interface.add("audit", "Prove that every mistake is caught and every variant passes", options.audit, run_audit);
+  add_steps(audit, options.audit.steps);
+  audit->add_option("--out", options.audit.out, "Write the JSON to this file as well");
+  add_json(audit, options.audit.json);
+
+  CLI::App* bench =
+      interface.add("bench", "Measure the time from an edit to its verdict, and its parts", options.bench, run_bench);
+  bench->add_option("step", options.bench.step, "The step that is edited")->capture_default_str();
+  bench->add_option("--repeats", options.bench.repeats, "Runs a figure; the median counts")
+      ->check(CLI::Range(1, 100))
+      ->capture_default_str();
+  add_json(bench, options.bench.json);
+
+  CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
+  auto* quick = test->add_flag_callback(
+      "--quick", [&] { options.test.tier = TestOptions::Tier::quick; }, "Under three minutes");
+  test->add_flag_callback(
+          "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
+      ->excludes(quick);
+}
+
+int run(int count, char** arguments) {
+  AllOptions options;
+  Interface interface;
+  interface.app.name("./atelier");
+  interface.app.require_subcommand(1);
+  describe_for_students(interface, options);
+  describe_for_graders(interface, options);
+  describe_for_authors(interface, options);
+  try {
+    interface.app.parse(count, arguments);
+  } catch (const CLI::CallForHelp& help) {
+    return interface.app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    throw Error(std::string(error.what()) + " (see ./atelier --help)");
+  }
+  for (const std::string& argument : interface.app.get_subcommand("run")->remaining())
+    (options.run.step.empty() ? options.run.step : options.run.arguments.emplace_back()) = argument;
+  return interface.action();
+}
+
+}  // namespace
+}  // namespace atelier
+
+int main(int count, char** arguments) {
+  int status = atelier::exit_usage;
+  try {
+    status = atelier::run(count, arguments);
+    // What a pipe or a full disk did not take was not said.
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+      throw atelier::Error("the output could not be written in full");
+  } catch (const std::exception& error) {
+    std::fflush(stdout);
+    fmt::print(stderr, "error: {}\n", error.what());
+    status = atelier::exit_usage;
+  }
+  return status;
+}

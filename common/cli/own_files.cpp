@@ -1,0 +1,26 @@
+#include "cli/own_files.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+
+namespace atelier {
+
+OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
+                           const std::string& earlier) {
+  const judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
+  const grade::Code mine = code_of(folders, Owner::mine);
+  OwnFiles own;
+  own.earlier = choose_owners(folders, course, step, earlier);
+  for (const auto& [name, owner] : own.earlier) {
+    if (owner != Owner::mine) continue;
+    const judge::Built built = judge::build_step(flags, name, mine.sources / name, mine.libraries);
+    if (!built.ok)
+      throw Error(fmt::format("your own {} does not build (--earlier solution goes round it):\n{}", name, built.log));
+  }
+  own.built = judge::build_step(flags, step.name, mine.sources / step.name, mine.libraries);
+  own.path = search_path(folders, step.name, mine, own.earlier);
+  return own;
+}
+
+}  // namespace atelier

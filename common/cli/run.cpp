@@ -1,0 +1,34 @@
+// ./atelier run: a step's own program with the student's files in it.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+#include "cli/own_files.hpp"
+
+namespace atelier {
+
+int run_run(const RunOptions& options) {
+  if (options.step.empty()) throw Error("run: say which step, as in ./atelier run 02");
+  const ProjectFolders folders = project_folders();
+  const auto course = read_course(folders.step_flags());
+  const CourseStep step = resolve_step(course, options.step);
+  const OwnFiles own = prepare_own_files(folders, course, step, options.earlier);
+  if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
+  if (!own.built.log.empty()) fmt::print(stderr, "{}", own.built.log);  // warnings
+
+  std::vector<std::string> arguments = {folders.program(step.name).string(), "--implementations", own.path.to_string()};
+  arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  std::fflush(stdout);
+  ::execv(pointers[0], pointers.data());
+  throw Error(fmt::format("{}: cannot be started: {}; build the project again", arguments[0], std::strerror(errno)));
+}
+
+}  // namespace atelier

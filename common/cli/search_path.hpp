@@ -1,0 +1,38 @@
+// Whose code a run is made of: the code under judgement for its own step, and for the steps that it stands on the
+// student's or the solution's.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "case/implementations.hpp"
+#include "cli/layout.hpp"
+#include "grade/step_judge.hpp"
+
+namespace atelier {
+
+enum class Owner { mine, solution };
+std::string to_string(Owner owner);  ///< "yours", "solution": as reports say it
+
+/// The student's own files at home, and the finished ones.
+grade::Code code_of(const ProjectFolders& folders, Owner owner);
+
+/// By earlier step.
+using Owners = std::map<std::string, Owner>;
+
+/// Who stands behind each step that `step` uses: `asked` ("mine" or "solution") where it is there. With an empty
+/// `asked`: the student where the last `check` of that step passed in full and its files have not changed since, the
+/// solution otherwise, so that nobody is stuck. Throws Error for another word.
+Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
+                     const std::string& asked);
+
+/// The search path: `code` for `step` alone, then each earlier step's owner, then whatever else is there.
+Implementations search_path(const ProjectFolders& folders, const std::string& step, const grade::Code& code,
+                            const Owners& earlier);
+
+/// {"01-transforms": "solution", "02-blinn-phong": own_words}: for reports.
+std::map<std::string, std::string> in_words(const Owners& earlier, const std::string& step,
+                                            const std::string& own_words);
+
+}  // namespace atelier

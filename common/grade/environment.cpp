@@ -1,0 +1,82 @@
+#include "grade/environment.hpp"
+
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+#include <fstream>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "case/printable.hpp"
+#include "case/strict_json.hpp"
+#include "gl/context.hpp"
+
+namespace atelier::grade {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string first_line(const std::string& text) {
+  return printable(text.substr(0, text.find('\n')));
+}
+
+std::string describe_cpu() {
+  std::ifstream file("/proc/cpuinfo");
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with("model name")) return printable(line.substr(line.find(':') + 2));
+  return "unknown";
+}
+
+std::string describe_system() {
+  utsname system{};
+  if (::uname(&system) != 0) return "unknown";
+  return fmt::format("{} {}", system.sysname, system.machine);
+}
+
+std::string describe_compiler(const fs::path& step_flags) {
+  const strict_json::Json flags = strict_json::parse(read_file(step_flags, 1 << 20), step_flags.string());
+  const strict_json::Json* version = flags.is_object() ? strict_json::optional(flags, "compiler_version") : nullptr;
+  return version ? strict_json::text(*version, step_flags.string() + ": compiler_version") : "unknown";
+}
+
+/// The version, and what git calls the commit; a project that came as an archive has just the version.
+std::string describe_version(const fs::path& project) {
+  if (!fs::exists(project / ".git")) return ATELIER_VERSION;
+  try {
+    const Finished git = run_process({.arguments = {"git", "-C", project.string(), "describe", "--always", "--dirty"},
+                                      .time_limit = std::chrono::seconds(5)});
+    if (git.ok()) return fmt::format("{} ({})", ATELIER_VERSION, first_line(git.output));
+  } catch (const Error&) {
+    // No git on this machine: the version has to do.
+  }
+  return ATELIER_VERSION;
+}
+
+std::string gl_string(Gl& gl, GLenum name) {
+  const auto* text = reinterpret_cast<const char*>(gl.GetString(name));
+  return text ? printable(text) : "unknown";
+}
+
+}  // namespace
+
+std::string describe_driver(const std::string& context) {
+  try {
+    const auto headless = make_headless_context(parse_context_kind(context));
+    return fmt::format("OpenGL {}, {}", gl_string(headless->gl(), GL_VERSION), gl_string(headless->gl(), GL_RENDERER));
+  } catch (const Error& error) {
+    return std::string("none: ") + error.what();
+  }
+}
+
+judge::Environment describe_environment(const std::string& context, const fs::path& step_flags,
+                                        const fs::path& project) {
+  return {{"driver", describe_driver(context)},
+          {"context", context},
+          {"compiler", describe_compiler(step_flags)},
+          {"cpu", describe_cpu()},
+          {"system", describe_system()},
+          {"atelier", describe_version(project)}};
+}
+
+}  // namespace atelier::grade

@@ -1,0 +1,109 @@
+#include "grade/step_judge.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "case/suggest.hpp"
+
+namespace atelier::grade {
+namespace {
+
+namespace fs = std::filesystem;
+using judge::Answer;
+using judge::CaseFile;
+using judge::CaseResult;
+using judge::JudgedCase;
+using judge::StepResult;
+
+CaseFile read_selected(const fs::path& path, const std::vector<std::string>& only) {
+  CaseFile file = judge::read_case_file(path);
+  if (only.empty()) return file;
+  std::vector<std::string> names;
+  for (const JudgedCase& c : file.cases) names.push_back(c.ask.name);
+  for (const std::string& name : only)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(fmt::format("{}: there is no case '{}'{}", path.string(), name, suggestion(name, names)));
+  std::erase_if(file.cases,
+                [&](const JudgedCase& c) { return std::find(only.begin(), only.end(), c.ask.name) == only.end(); });
+  return file;
+}
+
+std::vector<judge::Mistake> mistakes_of(const fs::path& path) {
+  return fs::exists(path) ? judge::read_mistakes(path) : std::vector<judge::Mistake>{};
+}
+
+/// "blinn_phong.cpp:12:3: error: ..." out of a compiler's log: the first line that says what is wrong.
+std::string first_error(const std::string& log) {
+  std::string first;
+  for (std::size_t begin = 0; begin < log.size();) {
+    const std::size_t end = std::min(log.find('\n', begin), log.size());
+    const std::string line = log.substr(begin, end - begin);
+    if (line.find("error:") != std::string::npos) return line;
+    if (first.empty()) first = line;
+    begin = end + 1;
+  }
+  return first;
+}
+
+}  // namespace
+
+StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only)
+    : file_(read_selected(criteria.cases, only)),
+      references_(file_.step, mistakes_of(criteria.mistakes), criteria.cases.parent_path(), criteria.reference_cache) {}
+
+StepResult StepJudge::empty_result() const {
+  StepResult result;
+  result.step = file_.step;
+  result.title = file_.title;
+  result.cases.resize(file_.cases.size());
+  return result;
+}
+
+StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep) const {
+  std::vector<Case> asks;
+  for (const JudgedCase& c : file_.cases) asks.push_back(c.ask);
+  StepResult result = empty_result();
+  // The judge works while the programs draw on.
+  judge::run_cases(settings, asks, [&](std::size_t index, const Answer& answer) {
+    result.cases[index] = judge::judge_case(file_.cases[index], answer, references_, keep);
+  });
+  sum_up(result);
+  return result;
+}
+
+StepResult StepJudge::judge_unbuilt(const judge::Built& built) const {
+  StepResult result = empty_result();
+  Answer answer;
+  answer.ended = Answer::Ended::build_failed;
+  answer.error = first_error(built.log);
+  for (std::size_t i = 0; i < file_.cases.size(); ++i)
+    result.cases[i] = judge::judge_case(file_.cases[i], answer, references_);
+  result.build_log = built.log;
+  sum_up(result);
+  return result;
+}
+
+void sum_up(StepResult& step) {
+  step.score = step.max_score = 0;
+  for (const CaseResult& c : step.cases) {
+    step.score += c.score;
+    step.max_score += c.max_score;
+  }
+}
+
+void sum_up(judge::SubmissionResult& submission) {
+  submission.score = submission.max_score = 0;
+  for (const StepResult& step : submission.steps) {
+    submission.score += step.score;
+    submission.max_score += step.max_score;
+  }
+}
+
+bool all_passed(const StepResult& step) {
+  return std::all_of(step.cases.begin(), step.cases.end(),
+                     [](const CaseResult& c) { return c.status == judge::Status::passed; });
+}
+
+}  // namespace atelier::grade

@@ -1,0 +1,64 @@
+// One step, from somebody's sources to verdicts: build, ask, judge. Everything that gives points goes through here.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "judge/build.hpp"
+#include "judge/judged_case.hpp"
+#include "judge/references.hpp"
+#include "judge/result.hpp"
+#include "judge/runner.hpp"
+#include "judge/verdict.hpp"
+
+namespace atelier::grade {
+
+/// Whose code: two folders that hold NN-name/ folders, of sources and of the libraries built from them.
+struct Code {
+  std::filesystem::path sources, libraries;
+};
+
+/// What a step is judged by. The mistakes name what went wrong; a step may have none yet.
+struct Criteria {
+  std::filesystem::path cases;            ///< tests/cases/NN-name/cases.json
+  std::filesystem::path mistakes;         ///< tests/mistakes/NN-name/mistakes.json
+  std::filesystem::path reference_cache;  ///< of decoded pictures; empty: none
+};
+
+class StepJudge {
+ public:
+  /// Reads the cases, those named in `only` or all. Throws Error for a broken file, and for a case that is not there.
+  explicit StepJudge(const Criteria& criteria, const std::vector<std::string>& only = {});
+
+  const std::string& step() const { return file_.step; }
+  const std::vector<judge::JudgedCase>& cases() const { return file_.cases; }
+  const judge::StepReferences& references() const { return references_; }
+
+  /// Reads all references now. Throws Error where one is missing or broken: then nobody can be judged.
+  void require_references() const { references_.require(file_.cases); }
+
+  /// Asks the program for every case and judges each answer as it comes in. `settings` says which program and whose
+  /// code; `keep` says which results carry pictures. Throws Error only where the judge's own side is at fault.
+  judge::StepResult judge(const judge::RunSettings& settings,
+                          judge::KeepEvidence keep = judge::KeepEvidence::failures) const;
+
+  /// What everybody gets whose files do not build: the compiler's words, and no points.
+  judge::StepResult judge_unbuilt(const judge::Built& built) const;
+
+ private:
+  judge::StepResult empty_result() const;
+
+  judge::CaseFile file_;
+  judge::StepReferences references_;
+};
+
+/// The score of a step is the sum of its cases', that of a submission the sum of its steps'.
+void sum_up(judge::StepResult& step);
+void sum_up(judge::SubmissionResult& submission);
+
+/// Whether every case passed.
+bool all_passed(const judge::StepResult& step);
+
+}  // namespace atelier::grade

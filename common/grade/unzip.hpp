@@ -1,0 +1,32 @@
+// Reads an archive that somebody unknown has made: only the members that were asked for, and never more than fits.
+//
+// Nothing is unpacked to a path that the archive names, so there is nothing to escape from: a member is taken where its
+// name is one of the wanted names, and its bytes come back in memory.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+namespace atelier::grade {
+
+/// What an archive may cost. The bytes of a member are counted while it inflates; what its header claims counts for
+/// nothing.
+struct ZipLimits {
+  std::size_t archive_bytes = 64 << 20;
+  int members = 10'000;                  ///< listed, wanted or not
+  std::size_t member_bytes = 1'000'000;  ///< of one wanted member, inflated
+  std::size_t total_bytes = 16 << 20;    ///< of all wanted members together
+  double ratio = 200;                    ///< inflated bytes a byte of the archive; text deflates to a tenth at best
+};
+
+/// The wanted members of a ZIP by their wanted name, "NN-name/FILE". A member may have one folder in front
+/// ("submission/02-blinn-phong/blinn_phong.cpp"), the same for all. Links, folders and other special members are passed
+/// over, as is whatever is not wanted. Throws Error naming the archive and, where one is at fault, the member: not a
+/// ZIP, cut off, encrypted, over a limit, a wanted name twice, two different folders in front.
+std::map<std::string, std::string> read_zip(const std::filesystem::path& file, const std::set<std::string>& wanted,
+                                            const ZipLimits& limits = {});
+
+}  // namespace atelier::grade
