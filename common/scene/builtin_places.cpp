@@ -79,7 +79,7 @@ void add_round_table(Scene& scene, int top, int leg, const glm::dvec3& place) {
 
 Scene room() {
   Scene scene;
-  const int boards = add_texture(scene, "boards", make_wood({.boards = 6}));
+  const int boards = add_texture(scene, "boards", make_wood({.size = 256, .boards = 6}));
   const int floor = add_material(scene, {.name = "floor",
                                          .diffuse = glm::vec3(0.85f),
                                          .specular = glm::vec3(0.1f),
@@ -93,8 +93,8 @@ Scene room() {
   constexpr double quarter = std::numbers::pi / 2;
   hang_picture(scene, dark, "grid", make_uv_grid(), {1.1f, 1.1f}, {0, 1.75, -2.5}, 0);
   hang_picture(scene, dark, "dots", make_dots(), {0.8f, 0.8f}, {-1.8, 1.7, -2.5}, 0);
-  hang_picture(scene, dark, "marble", make_marble(), {0.8f, 0.8f}, {1.8, 1.7, -2.5}, 0);
-  hang_picture(scene, dark, "bricks", make_bricks().colour, {1.4f, 0.9f}, {-3, 1.7, -0.6}, quarter);
+  hang_picture(scene, dark, "marble", make_marble({.size = 256}), {0.8f, 0.8f}, {1.8, 1.7, -2.5}, 0);
+  hang_picture(scene, dark, "bricks", make_bricks({.size = 256}).colour, {1.4f, 0.9f}, {-3, 1.7, -0.6}, quarter);
   hang_picture(scene, dark, "squares", make_checker(), {0.9f, 0.9f}, {3, 1.7, -0.6}, -quarter);
   add_round_table(scene, white, dark, {0.75, 0, -0.5});
 
@@ -109,7 +109,7 @@ Scene room() {
 Scene hall() {
   Scene scene;
   constexpr float radius = 6, height = 4.5f;
-  const BrickTextures bricks = make_bricks({.columns = 4, .rows = 8});
+  const BrickTextures bricks = make_bricks({.size = 256});
   const int brick = add_material(scene, {.name = "bricks",
                                          .diffuse = glm::vec3(0.95f),
                                          .diffuse_texture = add_texture(scene, "bricks", bricks.colour),
@@ -127,7 +127,7 @@ Scene hall() {
                                          .diffuse = glm::vec3(0.8f),
                                          .specular = glm::vec3(0.2f),
                                          .exponent = 80,
-                                         .diffuse_texture = add_texture(scene, "marble", make_marble())});
+                                         .diffuse_texture = add_texture(scene, "marble", make_marble({.size = 256}))});
 
   // Floor and ceiling are plain squares: what reaches beyond the wall is hidden by it.
   add_object(

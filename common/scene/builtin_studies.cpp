@@ -66,7 +66,7 @@ Scene sphere() {
 Scene primitives() {
   Scene scene;
   add_checker_floor(scene, 14, {0.42f, 0.42f, 0.4f}, {0.28f, 0.29f, 0.3f});
-  const BrickTextures bricks = make_bricks();
+  const BrickTextures bricks = make_bricks({.size = 256});
   const auto textured = [&](const char* name, Image pixels, float gloss) {
     const int texture = add_texture(scene, name, std::move(pixels));
     return add_material(scene, {.name = name,
@@ -75,8 +75,8 @@ Scene primitives() {
                                 .exponent = 50,
                                 .diffuse_texture = texture});
   };
-  const int grid = textured("grid", make_uv_grid(), 0.1f), wood = textured("wood", make_wood(), 0.1f);
-  const int marble = textured("marble", make_marble(), 0.3f), dots = textured("dots", make_dots(), 0.15f);
+  const int grid = textured("grid", make_uv_grid(), 0.1f), wood = textured("wood", make_wood({.size = 256}), 0.1f);
+  const int marble = textured("marble", make_marble({.size = 256}), 0.3f), dots = textured("dots", make_dots(), 0.15f);
   const int brick = textured("bricks", bricks.colour, 0.0f);
   scene.materials[brick].normal_texture = add_texture(scene, "brick normals", bricks.normal);
   scene.materials[brick].height_texture = add_texture(scene, "brick heights", bricks.height);

@@ -15,7 +15,12 @@ double fade(double t) {
 }
 
 std::int64_t wrap(std::int64_t i, std::int64_t period) {
-  return ((i % period) + period) % period;
+  const std::int64_t rest = i % period;
+  return rest < 0 ? rest + period : rest;
+}
+
+double to_01(std::uint64_t bits) {
+  return double(bits >> 11) * 0x1p-53;
 }
 
 }  // namespace
@@ -31,10 +36,14 @@ double hash01(std::uint64_t seed, std::int64_t x, std::int64_t y) {
 double value_noise(std::uint64_t seed, glm::dvec2 p, glm::ivec2 period) {
   const glm::dvec2 cell = glm::floor(p);
   const double u = fade(p.x - cell.x), v = fade(p.y - cell.y);
-  const auto x0 = std::int64_t(cell.x), y0 = std::int64_t(cell.y);
-  const auto corner = [&](int dx, int dy) { return hash01(seed, wrap(x0 + dx, period.x), wrap(y0 + dy, period.y)); };
-  const double below = (1 - u) * corner(0, 0) + u * corner(1, 0);
-  const double above = (1 - u) * corner(0, 1) + u * corner(1, 1);
+  const std::int64_t x0 = wrap(std::int64_t(cell.x), period.x), x1 = x0 + 1 < period.x ? x0 + 1 : 0;
+  const std::int64_t y0 = wrap(std::int64_t(cell.y), period.y), y1 = y0 + 1 < period.y ? y0 + 1 : 0;
+  // hash01() of the cell's four corners, with what they share mixed once.
+  const std::uint64_t base = mix_bits(seed);
+  const std::uint64_t left = mix_bits(base ^ std::uint64_t(x0)), right = mix_bits(base ^ std::uint64_t(x1));
+  const auto corner = [](std::uint64_t column, std::int64_t y) { return to_01(mix_bits(column ^ std::uint64_t(y))); };
+  const double below = (1 - u) * corner(left, y0) + u * corner(right, y0);
+  const double above = (1 - u) * corner(left, y1) + u * corner(right, y1);
   return (1 - v) * below + v * above;
 }
 
