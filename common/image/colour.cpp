@@ -5,16 +5,6 @@
 namespace atelier {
 namespace {
 
-template <class Real>
-Real encode(Real x) {
-  return x <= Real(0.0031308) ? Real(12.92) * x : Real(1.055) * std::pow(x, 1 / Real(2.4)) - Real(0.055);
-}
-
-template <class Real>
-Real decode(Real x) {
-  return x <= Real(0.04045) ? x / Real(12.92) : std::pow((x + Real(0.055)) / Real(1.055), Real(2.4));
-}
-
 template <class Function>
 Image each_pixel(const Image& image, Function function) {
   Image result = image;
@@ -30,24 +20,26 @@ double lab_curve(double t) {
 
 }  // namespace
 
-float srgb_encode(float linear) {
-  return encode(linear);
+double srgb_encode(double x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
-double srgb_encode(double linear) {
-  return encode(linear);
+double srgb_decode(double x) {
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+// By way of double, so that one stays one.
+float srgb_encode(float linear) {
+  return float(srgb_encode(double(linear)));
 }
 float srgb_decode(float encoded) {
-  return decode(encoded);
-}
-double srgb_decode(double encoded) {
-  return decode(encoded);
+  return float(srgb_decode(double(encoded)));
 }
 
 Rgba srgb_encode(const Rgba& c) {
-  return {encode(c.r), encode(c.g), encode(c.b), c.a};
+  return {srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b), c.a};
 }
 Rgba srgb_decode(const Rgba& c) {
-  return {decode(c.r), decode(c.g), decode(c.b), c.a};
+  return {srgb_decode(c.r), srgb_decode(c.g), srgb_decode(c.b), c.a};
 }
 
 Image srgb_encode(const Image& linear) {

@@ -70,8 +70,9 @@ Image encode_for_comparison(Image linear, float exposure = 1);
 enum class Measure {
   level,    ///< of encoded colours 0..1: the largest difference of a channel, in 1/255
   degrees,  ///< of directions coded as n/2 + 1/2, of any length: the angle between them, 0..180. A vector shorter than
-            ///< 0.02 has no direction (eight bits code zero as 0.004 at best): 0 from another such, 180 from all others
-  number,   ///< of data: the largest difference of a channel, in the data's own unit
+            ///< 0.02 has no direction (eight bits code zero as 0.004 at best): 0 from another such, 180 from all
+            ///< others. Good to 0.02 degrees, but for the last degree before 180
+  number,  ///< of data: the largest difference of a channel, in the data's own unit
 };
 
 struct Difference {

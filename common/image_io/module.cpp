@@ -21,7 +21,7 @@ std::string one_line(std::string text) {
   if (text.empty()) text = "the decoder gives no reason";
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
-  while (!text.empty() && text.back() == ' ') text.pop_back();
+  while (!text.empty() && (text.back() == ' ' || text.back() == '.')) text.pop_back();
   if (text.size() > longest) text = text.substr(0, longest) + "...";
   return text;
 }
