@@ -22,11 +22,19 @@ using FindFile = std::function<std::filesystem::path(const std::string& name)>;
 using Defines = std::map<std::string, std::string>;
 
 /// A source with its includes resolved, ready for the driver, and the way back from its lines to the files.
+///
+/// The way back is a table, and not GLSL's own #line directives: Mesa forgets their file number for most expressions
+/// (22.3 reports "0:4(32): `x' undeclared" whatever the file), and GLSL changed which line they name between 1.50
+/// and 3.30.
 struct ShaderSource {
-  std::string text;  ///< #version, defines, and everything included, with #line directives
-  std::vector<std::filesystem::path>
-      files;                       ///< where each was read, by the source-string number of the #line directives
-  std::vector<std::string> names;  ///< the same as the author named them in #include: for messages
+  struct Line {
+    int file = -1;         ///< index into `files` and `names`; -1 for the #version and #define lines in front
+    std::size_t line = 0;  ///< counted from 1
+  };
+  std::string text;                          ///< #version, defines, and everything included; string 0 to the driver
+  std::vector<Line> lines;                   ///< where each line of `text` comes from
+  std::vector<std::filesystem::path> files;  ///< where they were read
+  std::vector<std::string> names;            ///< the same as the author named them in #include: for messages
 };
 
 /// Reads what `find` gives for `name`, follows #include "name" lines, and puts `#version 330 core` and the defines in
@@ -51,9 +59,9 @@ class ShaderError : public Error {
 };
 
 /// Rewrites a driver's log to "file:line: error: ..." lines with the author's files, and drops empty lines and what
-/// repeats; at most 30 lines are kept. Drivers write the source string's number and the line as "0:12(5): error: ..."
-/// (Mesa), "0(12) : error C0000: ..." (NVIDIA) or "ERROR: 0:12: ..." (Apple, Intel, AMD, ANGLE). Lines of any other
-/// form stay as they are.
+/// repeats; at most 30 lines are kept. Drivers write the number of the source string, always 0 here, and the line as
+/// "0:12(5): error: ..." (Mesa), "0(12) : error C0000: ..." (NVIDIA) or "ERROR: 0:12: ..." (Apple, Intel, AMD, ANGLE).
+/// Lines of any other form stay as they are.
 std::string translate_shader_log(const std::string& log, const ShaderSource& source);
 
 /// Compiles and links; geometry may be null. Throws ShaderError.

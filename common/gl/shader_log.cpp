@@ -10,29 +10,36 @@
 namespace atelier {
 namespace {
 
-/// One driver's way to say where: a scanf format that reads the source string's number and the line, and tells by %n
-/// where the message begins. `severity` is put before the message where the format has swallowed it.
+/// One driver's way to say where: a scanf format that passes over the source string's number, reads the line, and tells
+/// by %n where the message begins. `severity` is put before the message where the format has swallowed it.
 struct LogForm {
   const char* format;
   const char* severity;
 };
 
 constexpr std::array<LogForm, 4> log_forms = {{
-    {"%u:%u(%*u): %n", ""},           // Mesa:           0:12(5): error: `x' undeclared
-    {"%u(%u) : %n", ""},              // NVIDIA:         0(12) : error C1503: undefined variable "x"
-    {"ERROR: %u:%u: %n", "error: "},  // Apple and kin:  ERROR: 0:12: 'x' : undeclared identifier
-    {"WARNING: %u:%u: %n", "warning: "},
+    {"%*u:%u(%*u): %n", ""},           // Mesa:           0:12(5): error: `x' undeclared
+    {"%*u(%u) : %n", ""},              // NVIDIA:         0(12) : error C1503: undefined variable "x"
+    {"ERROR: %*u:%u: %n", "error: "},  // Apple and kin:  ERROR: 0:12: 'x' : undeclared identifier
+    {"WARNING: %*u:%u: %n", "warning: "},
 }};
+
+/// "file:line" of a line of the assembled text; beyond its end, where drivers miss what should have followed, of the
+/// last.
+std::string author_place(unsigned number, const ShaderSource& source) {
+  if (source.lines.empty()) return fmt::format("line {}", number);
+  const std::size_t index = std::clamp<std::size_t>(number, 1, source.lines.size()) - 1;
+  const auto [file, line] = source.lines[index];
+  return fmt::format("{}:{}", file < 0 ? "(defines)" : source.names[std::size_t(file)], line);
+}
 
 std::string translate_line(const std::string& line, const ShaderSource& source) {
   for (const LogForm& form : log_forms) {
-    unsigned file = 0, number = 0;
+    unsigned number = 0;
     int message = 0;  // stays 0 where the line does not match to the end of the format
-    std::sscanf(line.c_str(), form.format, &file, &number, &message);
-    if (message == 0) continue;
-    // The defines stand in front of all files, under a number of their own.
-    const std::string name = file < source.names.size() ? source.names[file] : "(defines)";
-    return fmt::format("{}:{}: {}{}", name, number, form.severity, line.substr(std::size_t(message)));
+    std::sscanf(line.c_str(), form.format, &number, &message);
+    if (message > 0)
+      return fmt::format("{}: {}{}", author_place(number, source), form.severity, line.substr(std::size_t(message)));
   }
   return line;
 }

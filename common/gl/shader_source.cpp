@@ -1,4 +1,4 @@
-// One GLSL text out of many files. GLSL itself has no #include; #line directives lead errors back to the files.
+// One GLSL text out of many files (GLSL itself has no #include), and for each of its lines the file that it is from.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ std::string normalised(std::string text, const std::string& name) {
                             1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')));
   for (std::size_t at = 0; (at = text.find('\r', at)) != std::string::npos; ++at)
     at + 1 < text.size() && text[at + 1] == '\n' ? text.erase(at, 1) : text.replace(at, 1, "\n");
-  if (!text.empty() && text.back() != '\n') text += '\n';
+  if (text.empty() || text.back() != '\n') text += '\n';  // an empty file has one empty line: errors need a place
   if (text.ends_with("\\\n")) text += '\n';  // a continued last line must not swallow what follows the file
   return text;
 }
@@ -51,6 +51,7 @@ std::string CommentTracker::without_comments(std::string_view line) {
       quoted = !quoted;
     } else if (!quoted && pair == "//") {
       std::fill(code.begin() + std::ptrdiff_t(i), code.end(), ' ');
+      break;
     } else if (!quoted && pair == "/*") {
       code[i] = code[i + 1] = ' ';
       ++i, inside_ = true;
@@ -89,9 +90,11 @@ class Assembler {
   ShaderSource finish(const Defines& defines) &&;
 
  private:
-  void add_line(std::size_t number, std::size_t line, std::string_view text, CommentTracker& comments, int depth);
-  void add_include(std::size_t number, std::size_t line, std::string_view text, const std::string& code,
-                   const Directive& directive, int depth);
+  void add_line(ShaderSource::Line from, std::string_view text, CommentTracker& comments, int depth);
+  void add_include(ShaderSource::Line from, std::string_view text, const std::string& code, const Directive& directive,
+                   int depth);
+  void emit(ShaderSource::Line from, std::string_view text);
+  std::string place(ShaderSource::Line from) const;  ///< "file:line: "
 
   const FindFile& find_;
   ShaderSource source_;
@@ -116,60 +119,69 @@ void Assembler::add_file(const std::string& name, const std::string& where, int 
 
 void Assembler::add_text(const std::filesystem::path& file, const std::string& name, const std::string& text,
                          int depth) {
-  const std::size_t number = source_.files.size();
+  ShaderSource::Line from{int(source_.files.size()), 0};
   source_.files.push_back(file);
   source_.names.push_back(name);
-  source_.text += fmt::format("#line 1 {}\n", number);
 
   const std::string lines = normalised(text, name);
   CommentTracker comments;
-  std::size_t line = 0, comment_line = 0;
+  ShaderSource::Line comment_begin;
   for (std::size_t begin = 0; begin < lines.size();) {
     const std::size_t end = lines.find('\n', begin);
     const bool inside = comments.inside();
-    add_line(number, ++line, std::string_view(lines).substr(begin, end - begin), comments, depth);
-    if (!inside && comments.inside()) comment_line = line;
+    ++from.line;
+    add_line(from, std::string_view(lines).substr(begin, end - begin), comments, depth);
+    if (!inside && comments.inside()) comment_begin = from;
     begin = end + 1;
   }
-  // It would swallow everything after the file, #line directives included.
-  if (comments.inside()) throw Error(fmt::format("{}:{}: this /* comment has no end", name, comment_line));
+  // It would swallow whatever follows the file.
+  if (comments.inside()) throw Error(place(comment_begin) + "this /* comment has no end");
 }
 
-void Assembler::add_line(std::size_t number, std::size_t line, std::string_view text, CommentTracker& comments,
-                         int depth) {
+void Assembler::add_line(ShaderSource::Line from, std::string_view text, CommentTracker& comments, int depth) {
   const std::string code = comments.without_comments(text);
   if (const auto directive = directive_in(code)) {
-    if (directive->word == "include") return add_include(number, line, text, code, *directive, depth);
+    if (directive->word == "include") return add_include(from, text, code, *directive, depth);
     if (directive->word == "version" || directive->word == "extension" || directive->word == "line")
       throw Error(
-          fmt::format("{}:{}: remove this #{}: the program puts `#version 330 core` in front of every shader and "
-                      "keeps track of files and lines itself",
-                      source_.names[number], line, directive->word));
+          fmt::format("{}remove this #{}: the program puts `#version 330 core` in front of every shader and keeps "
+                      "track of files and lines itself",
+                      place(from), directive->word));
   }
-  source_.text.append(text) += '\n';
+  emit(from, text);
 }
 
-void Assembler::add_include(std::size_t number, std::size_t line, std::string_view text, const std::string& code,
+void Assembler::add_include(ShaderSource::Line from, std::string_view text, const std::string& code,
                             const Directive& directive, int depth) {
-  const std::string where = fmt::format("{}:{}: ", source_.names[number], line);
   const std::size_t open = code.find('"', directive.rest);
   const std::size_t close = open == std::string::npos ? open : code.find('"', open + 1);
   if (close == std::string::npos || close == open + 1 ||
       !is_blank(code.substr(directive.rest, open - directive.rest)) || !is_blank(code.substr(close + 1)))
-    throw Error(where + "this must read #include \"file\"");
+    throw Error(place(from) + "this must read #include \"file\"");
 
   // What stands around the directive can only be comments, which may begin or end on other lines: they are kept.
-  if (!is_blank(text.substr(0, directive.begin))) source_.text.append(text.substr(0, directive.begin)) += '\n';
-  add_file(code.substr(open + 1, close - open - 1), where, depth + 1);
-  source_.text += fmt::format("#line {} {}\n", line, number);
-  source_.text.append(text.substr(close + 1)) += '\n';
+  const std::string_view before = text.substr(0, directive.begin), behind = text.substr(close + 1);
+  if (!is_blank(before)) emit(from, before);
+  add_file(code.substr(open + 1, close - open - 1), place(from), depth + 1);
+  if (!is_blank(behind)) emit(from, behind);
+}
+
+void Assembler::emit(ShaderSource::Line from, std::string_view text) {
+  source_.text.append(text) += '\n';
+  source_.lines.push_back(from);
+}
+
+std::string Assembler::place(ShaderSource::Line from) const {
+  return fmt::format("{}:{}: ", source_.names[std::size_t(from.file)], from.line);
 }
 
 ShaderSource Assembler::finish(const Defines& defines) && {
-  // `#line N` names the line after it from GLSL 3.30 on (before, the line after that).
-  std::string head = fmt::format("#version 330 core\n#line 1 {}\n", source_.files.size());
+  std::string head = "#version 330 core\n";
   for (const auto& [name, value] : defines) head += fmt::format("#define {} {}\n", name, value);
   source_.text.insert(0, head);
+  std::vector<ShaderSource::Line> head_lines;
+  for (std::size_t line = 1; line <= 1 + defines.size(); ++line) head_lines.push_back({-1, line});
+  source_.lines.insert(source_.lines.begin(), head_lines.begin(), head_lines.end());
   return std::move(source_);
 }
 

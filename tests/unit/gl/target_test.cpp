@@ -1,0 +1,253 @@
+#include "gl/target.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "catch.hpp"
+#include "contexts.hpp"
+#include "gl/shader.hpp"
+
+using namespace atelier;
+using atelier::test::error_of;
+using atelier::test::mentions;
+using atelier::test::on_every_context;
+
+namespace {
+
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+bool same(float a, float b) {
+  return a == b || (std::isnan(a) && std::isnan(b));
+}
+
+/// Fills columns x..x+width and OpenGL's rows y..y+height, counted from the bottom, with `value`.
+void fill(Gl& gl, int x, int y, int width, int height, const Rgba& value) {
+  gl.Enable(GL_SCISSOR_TEST);
+  gl.Scissor(x, y, width, height);
+  gl.ClearBufferfv(GL_COLOR, 0, &value.r);
+  gl.Disable(GL_SCISSOR_TEST);
+}
+
+ShaderSource text(const std::string& glsl) {
+  return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, glsl, "test", {});
+}
+
+}  // namespace
+
+TEST_CASE("Floats come back as they were drawn, whatever they are") {
+  on_every_context([](Gl& gl) {
+    const float values[] = {0,
+                            1,
+                            -1,
+                            2.5f,
+                            1e30f,
+                            -1e30f,
+                            1e-30f,
+                            0.1f,
+                            infinity,
+                            -infinity,
+                            not_a_number,
+                            std::numeric_limits<float>::max(),
+                            std::numeric_limits<float>::denorm_min()};
+    const Target target(gl, {.width = 2, .height = 2});
+    for (const float value : values) {
+      INFO(value);
+      target.bind(gl);
+      const Rgba wanted{value, 0.5f, value, value};
+      gl.ClearBufferfv(GL_COLOR, 0, &wanted.r);
+      const Rgba got = target.read_colour(gl).at(1, 1);
+      CHECK(same(got.r, value));
+      CHECK(got.g == 0.5f);
+      CHECK(same(got.a, value));
+    }
+  });
+}
+
+TEST_CASE("What a shader writes survives too: NaN, infinity, above one and below zero") {
+  on_every_context([](Gl& gl) {
+    const GlProgram program = build_program(
+        gl, text("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"),
+        text(
+            "uniform float u_zero;\nout vec4 o;\nvoid main() { o = vec4(u_zero / u_zero, 1.0 / u_zero, 7.5, -2.0); }"));
+    const Target target(gl, {.width = 1, .height = 1, .depth = DepthFormat::none});
+    target.bind(gl);
+    const GlVertexArray vertices(gl);
+    gl.BindVertexArray(vertices.id());
+    gl.UseProgram(program.id());
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    const Rgba got = target.read_colour(gl).at(0, 0);
+    CHECK(std::isnan(got.r));
+    CHECK(got.g == infinity);
+    CHECK(got.b == 7.5f);
+    CHECK(got.a == -2.0f);
+  });
+}
+
+TEST_CASE("Every size comes back with each pixel in its place and row 0 on top") {
+  on_every_context([](Gl& gl) {
+    const std::pair<int, int> sizes[] = {{1, 1},   {1, 7},     {7, 1},    {2, 3},    {3, 2},     {5, 5},
+                                         {17, 31}, {641, 479}, {4096, 3}, {3, 4096}, {16384, 1}, {1, 16384}};
+    for (const auto& [width, height] : sizes) {
+      INFO(width << "x" << height);
+      const Target target(gl, {.width = width, .height = height});
+      target.bind(gl);
+      const Rgba base{0.25f, 0.25f, 0.25f, 1}, mark{9, 8, 7, 6};
+      gl.ClearBufferfv(GL_COLOR, 0, &base.r);
+      fill(gl, width - 1, height - 1, 1, 1, mark);  // OpenGL's last row and column: the upper right corner
+      const Image image = target.read_colour(gl);
+      REQUIRE(image.width() == width);
+      REQUIRE(image.height() == height);
+      int marks = 0, others = 0;
+      for (const Rgba& pixel : image.pixels()) ++(pixel == mark ? marks : pixel == base ? others : marks += 1000000);
+      CHECK(marks == 1);
+      CHECK(others == width * height - 1);
+      CHECK(image.at(width - 1, 0) == mark);
+    }
+  });
+}
+
+TEST_CASE("Reading is not led astray by what others have set") {
+  on_every_context([](Gl& gl) {
+    const Target target(gl, {.width = 3, .height = 3, .depth = DepthFormat::depth32f}), other(gl, {});
+    target.bind(gl);
+    const Rgba value{0.5f, 0.25f, 0.125f, 1};
+    gl.ClearBufferfv(GL_COLOR, 0, &value.r);
+    gl.ClearDepth(0.75);
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    other.bind(gl);
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 8);
+    const Image colour = target.read_colour(gl);
+    gl.PixelStorei(GL_PACK_ALIGNMENT, 8);
+    const Image depth = target.read_depth(gl);
+    for (int i = 0; i < 9; ++i) {
+      CHECK(colour.at(i % 3, i / 3) == value);
+      CHECK(depth.at(i % 3, i / 3) == Rgba{0.75f, 0.75f, 0.75f, 1});
+    }
+    GLint bound = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+    CHECK(GLuint(bound) == other.framebuffer());
+  });
+}
+
+TEST_CASE("Making a target leaves what is bound") {
+  on_every_context([](Gl& gl) {
+    const Target first(gl, {.width = 8, .height = 8});
+    first.bind(gl);
+    gl.BindTexture(GL_TEXTURE_2D, first.colour_texture());
+    const Target second(gl, {.width = 4, .height = 4});
+    GLint framebuffer = 0, texture = 0;
+    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+    CHECK(GLuint(framebuffer) == first.framebuffer());
+    CHECK(GLuint(texture) == first.colour_texture());
+  });
+}
+
+TEST_CASE("Colour formats keep what their bits allow") {
+  struct Row {
+    ColourFormat format;
+    float value, kept;
+    double tolerance;
+    const char* reason;
+  };
+  const Row rows[] = {
+      {ColourFormat::rgba8, 0.3f, 0.3f, 0.5 / 255 + 1e-6, "half a step of 8 bits"},
+      {ColourFormat::rgba8, 5.0f, 1.0f, 0, "8 bits end at one"},
+      {ColourFormat::rgba16f, 0.3f, 0.3f, 0.25 / 1024,
+       "a step of half floats above 0.25: drivers may cut rather than round"},
+      {ColourFormat::rgba16f, 1000.0f, 1000.0f, 0, "a whole number below 2048 is exact"},
+      {ColourFormat::rgba32f, 0.3f, 0.3f, 0, "the very float"},
+  };
+  on_every_context([&](Gl& gl) {
+    for (const Row& row : rows) {
+      const Target target(gl, {.width = 3, .height = 1, .colour = row.format});
+      INFO(to_string(target.spec()) << ": " << row.reason);
+      target.bind(gl);
+      const Rgba value{row.value, row.value, row.value, 1};
+      gl.ClearBufferfv(GL_COLOR, 0, &value.r);
+      CHECK(std::abs(double(target.read_colour(gl).at(2, 0).g) - row.kept) <= row.tolerance);
+    }
+  });
+}
+
+TEST_CASE("Depth comes back between 0 and 1, row 0 on top") {
+  struct Row {
+    DepthFormat format;
+    double tolerance;  ///< half a step of the format
+  };
+  const Row rows[] = {{DepthFormat::depth16, 0.5 / 65535},
+                      {DepthFormat::depth24, 0.5 / 16777215 + 3e-8},  // plus half a float's step at 0.3
+                      {DepthFormat::depth32f, 1.5e-8},                // 0.3 as a float
+                      {DepthFormat::depth24_stencil8, 0.5 / 16777215 + 3e-8},
+                      {DepthFormat::depth32f_stencil8, 1.5e-8}};
+  on_every_context([&](Gl& gl) {
+    for (const Row& row : rows)
+      for (const ColourFormat colour : {ColourFormat::none, ColourFormat::rgba32f}) {
+        const Target target(gl, {.width = 3, .height = 5, .colour = colour, .depth = row.format});
+        INFO(to_string(target.spec()));
+        target.bind(gl);
+        gl.ClearDepth(1);
+        gl.Clear(GL_DEPTH_BUFFER_BIT);
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(0, 4, 3, 1);  // the highest row
+        gl.ClearDepth(0.3);
+        gl.Clear(GL_DEPTH_BUFFER_BIT);
+        gl.Disable(GL_SCISSOR_TEST);
+        const Image image = target.read_depth(gl);
+        for (int x = 0; x < 3; ++x) {
+          CHECK(std::abs(double(image.at(x, 0).r) - 0.3) <= row.tolerance);
+          CHECK(image.at(x, 0) == Rgba{image.at(x, 0).r, image.at(x, 0).r, image.at(x, 0).r, 1});
+          for (int y = 1; y < 5; ++y) CHECK(image.at(x, y).r == 1);
+        }
+      }
+  });
+}
+
+TEST_CASE("Targets that cannot be are refused with size and formats") {
+  on_every_context([](Gl& gl) {
+    for (const auto& [width, height] : {std::pair{0, 4}, {4, 0}, {-1, 4}, {16385, 1}, {1, 16385}, {1 << 30, 1 << 30}}) {
+      const std::string size = std::to_string(width) + "x" + std::to_string(height);
+      INFO(size);
+      const TargetSpec spec{.width = width, .height = height};
+      CHECK(mentions(error_of([&] { Target target(gl, spec); }), {size, "rgba32f", "depth24", "1..16384"}));
+    }
+    const TargetSpec nothing{.colour = ColourFormat::none, .depth = DepthFormat::none};
+    CHECK(mentions(error_of([&] { Target target(gl, nothing); }), {"colour none", "depth none"}));
+
+    const Target shadow(gl, {.colour = ColourFormat::none}), flat(gl, {.depth = DepthFormat::none});
+    CHECK(mentions(error_of([&] { shadow.read_colour(gl); }), {"no colour"}));
+    CHECK(mentions(error_of([&] { flat.read_depth(gl); }), {"no depth"}));
+    CHECK(shadow.colour_texture() == 0);
+    CHECK(flat.depth_texture() == 0);
+  });
+}
+
+TEST_CASE("A target's bytes are counted as the driver is asked for them") {
+  const TargetSpec specs[] = {
+      {.width = 3, .height = 5},
+      {.colour = ColourFormat::none, .depth = DepthFormat::depth16},
+      {.width = 640, .height = 480, .colour = ColourFormat::rgba16f, .depth = DepthFormat::none},
+      {.colour = ColourFormat::rgba8, .depth = DepthFormat::depth32f_stencil8}};
+  const std::size_t expected[] = {3 * 5 * 20, 2, 640 * 480 * 8, 12};
+  on_every_context([&](Gl& gl) {
+    for (int i = 0; i < 4; ++i) {
+      INFO(to_string(specs[i]));
+      gl.counts = {};
+      const Target target(gl, specs[i]);
+      CHECK(bytes(specs[i]) == expected[i]);
+      CHECK(std::size_t(gl.counts.texture_bytes) == expected[i]);
+    }
+  });
+}
+
+TEST_CASE("A target moves with its contents") {
+  on_every_context([](Gl& gl) {
+    Target first(gl, {.width = 2, .height = 2});
+    first.bind(gl);
+    const Rgba value{3, 2, 1, 1};
+    gl.ClearBufferfv(GL_COLOR, 0, &value.r);
+    const Target second = std::move(first);
+    CHECK(second.read_colour(gl).at(0, 1) == value);
+  });
+}
