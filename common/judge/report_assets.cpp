@@ -20,7 +20,7 @@ main, header.top { max-width: 72rem; margin: 0 auto; padding: 0 1.5rem; }
 header.top { padding-top: 2.5rem; display: flex; flex-wrap: wrap; align-items: baseline; gap: .25rem 1.5rem; }
 h1 { font-size: 1.6rem; font-weight: 650; margin: 0; overflow-wrap: anywhere; }
 h2 { font-size: 1.2rem; font-weight: 650; margin: 3rem 0 .75rem; display: flex; gap: 1rem; align-items: baseline; }
-h2 .score { margin-left: auto; }
+h2 span { overflow-wrap: anywhere; } h2 .score { margin-left: auto; }
 a { color: var(--accent); text-decoration: none; }
 a:hover { text-decoration: underline; }
 :focus-visible { outline: 2px solid var(--accent); outline-offset: 2px; }
@@ -31,7 +31,7 @@ code, pre, .mono { font-family: ui-monospace, "DejaVu Sans Mono", monospace; fon
 .tally { flex-basis: 100%; color: var(--soft); margin: 0; }
 .bar { flex-basis: 100%; display: flex; gap: 3px; height: 8px; margin-top: .75rem; }
 .bar span { flex: 1; border-radius: 3px; min-width: 2px; background: currentColor; }
-.tools { margin: 1.25rem 0 0; }
+.tools { margin: 1.25rem 0 .75rem; }
 button { font: inherit; color: var(--accent); background: none; border: 1px solid var(--line); border-radius: 6px;
   padding: .2rem .7rem; cursor: pointer; }
 button:hover { background: var(--tint); }
@@ -43,19 +43,22 @@ button[aria-pressed=true] { background: var(--accent); border-color: var(--accen
 .passed { color: var(--passed); } .failed { color: var(--failed); } .missing { color: var(--missing); }
 .crashed, .timeout, .build_failed { color: var(--broken); }
 
-table { border-collapse: collapse; width: 100%; background: var(--card); border: 1px solid var(--line); }
-th, td { text-align: left; vertical-align: top; padding: .5rem .8rem; border-top: 1px solid var(--line); }
+table { border-collapse: collapse; width: 100%; background: var(--card); border: 1px solid var(--line);
+  table-layout: fixed; }
+th, td { text-align: left; vertical-align: top; padding: .5rem .8rem; border-top: 1px solid var(--line);
+  overflow-wrap: anywhere; }
 thead th { color: var(--soft); font-weight: 500; font-size: .85rem; border-top: 0; }
 tbody th { background: var(--tint); font-weight: 650; }
 td.score, th.score { text-align: right; }
-td.reason { color: var(--soft); overflow-wrap: anywhere; width: 50%; }
+th:first-child { width: 30%; } th.verdict { width: 9.5rem; } th.score { width: 7rem; }
+td.reason { color: var(--soft); }
 
 details.case { background: var(--card); border: 1px solid var(--line); border-radius: 8px; margin: .6rem 0;
   scroll-margin-top: 1rem; }
 details.case > summary { display: flex; gap: .9rem; align-items: baseline; padding: .7rem 1rem; cursor: pointer;
   list-style: none; }
 details.case > summary::-webkit-details-marker { display: none; }
-summary .title { font-weight: 600; } summary .score { margin-left: auto; }
+summary .title { font-weight: 600; overflow-wrap: anywhere; } summary .score { margin-left: auto; }
 summary .status { min-width: 7.2rem; }
 .body { padding: .3rem 1rem 1.2rem; border-top: 1px solid var(--line); }
 dl { margin: .8rem 0; display: grid; grid-template-columns: 6.5rem 1fr; gap: .35rem 1rem; max-width: 56rem; }
@@ -84,7 +87,8 @@ img.small { image-rendering: pixelated; }
 .compare:focus-within { outline: 2px solid var(--accent); outline-offset: 2px; }
 
 dialog { border: 0; padding: 0; background: none; max-width: none; max-height: none; }
-dialog::backdrop { background: #101113f0; }
+dialog:focus-visible { outline: none; }
+dialog::backdrop { background: #15171a; }
 dialog img { display: block; margin: 0 auto; image-rendering: pixelated; cursor: zoom-out; }
 dialog figcaption { color: #d8dade; text-align: center; font-size: .95rem; margin-top: .8rem; }
 dialog .soft { color: #8f969e; }
@@ -95,7 +99,10 @@ footer { max-width: 72rem; margin: 3rem auto 0; padding: 1rem 1.5rem 3rem; color
 @media (max-width: 40rem) {
   dl { grid-template-columns: 1fr; gap: 0; } dd { margin-bottom: .5rem; }
   details.case > summary { flex-wrap: wrap; }
-  td.reason, th.reason { display: none; }
+  table, tbody { display: block; } thead { display: none; }
+  tr { display: grid; grid-template-columns: 1fr auto; border-top: 1px solid var(--line); }
+  th, td { border: 0; padding: .3rem .8rem; } th:first-child, th.score { width: auto; }
+  td:nth-child(2) { grid-row: 2; } td.reason { grid-row: 3; grid-column: 1 / -1; }
 }
 @media print {
   :root { --page: #fff; --card: #fff; --ink: #000; --soft: #444; --line: #bbb; --tint: #f3f3f3; color-scheme: light;

@@ -105,7 +105,8 @@ std::string step_html(const StepResult& step) {
 
 std::string table_html(const SubmissionResult& result) {
   std::string html =
-      "<table>\n<thead><tr><th scope=\"col\">Case</th><th scope=\"col\">Verdict</th><th scope=\"col\" class=\"reason\">"
+      "<table>\n<thead><tr><th scope=\"col\">Case</th><th scope=\"col\" class=\"verdict\">Verdict</th><th "
+      "scope=\"col\" class=\"reason\">"
       "What was seen</th><th scope=\"col\" class=\"score\">Points</th></tr></thead>\n";
   for (const StepResult& step : result.steps) {
     html += fmt::format(

@@ -14,7 +14,7 @@
 namespace atelier::judge {
 namespace {
 
-constexpr int label_width = 12;  // columns of "looks like" and its indentation
+constexpr int label_width = 14;  // columns of the longest label, its indentation and a gap
 
 std::string_view variable(const char* name) {
   const char* const value = std::getenv(name);

@@ -1,0 +1,62 @@
+#include "judge/report_words.hpp"
+
+#include "case/printable.hpp"
+#include "catch.hpp"
+#include "judge/base64.hpp"
+#include "sample.hpp"
+
+using namespace atelier;
+using namespace atelier::judge;
+
+TEST_CASE("points are cut, so that nobody reads full marks beside a failure") {
+  struct Row {
+    double points;
+    const char* text;
+  };
+  const Row rows[] = {{0, "0"},          {2, "2"},     {1.5, "1.5"}, {1.999999, "1.99"}, {0.29, "0.29"},
+                      {1.0 / 3, "0.33"}, {100, "100"}, {0.001, "0"}, {10, "10"}};
+  for (const Row& row : rows) CHECK(points_text(row.points) == row.text);
+  CHECK(score_text(0.5, 1) == "0.5 / 1 point");
+  CHECK(score_text(0, 0) == "0 / 0 points");
+}
+
+TEST_CASE("a verdict speaks in a fixed order, and only of what there is") {
+  std::string labels;
+  for (const Remark& remark : remarks(test::failed_picture())) labels += remark.label + ",";
+  CHECK(labels == "asked,seen,looks like,where,credit,try next,again,");
+  CaseResult bare;
+  CHECK(remarks(bare).empty());
+  bare.mistake = "no-specular";
+  REQUIRE(remarks(bare).size() == 1);
+  CHECK(remarks(bare)[0].text == "no-specular");
+  bare.mistake_sentence = "It is missing.";
+  CHECK(remarks(bare)[0].text == "It is missing. (no-specular)");
+}
+
+TEST_CASE("anchors are safe in addresses") {
+  StepResult step;
+  CaseResult result;
+  step.step = "02-x", result.name = "a b\"><\x1b";
+  CHECK(case_anchor(step, result) == "02-x.a-b----");
+}
+
+TEST_CASE("markup is escaped") {
+  CHECK(escape_markup("a<b>&\"'") == "a&lt;b&gt;&amp;&quot;&#39;");
+  CHECK(escape_markup("one\r\ntwo\t") == "one\ntwo\t");
+  const std::string escaped = escape_markup(test::hostile_text());
+  CHECK(escaped.find_first_of("<>\"'\x1b\x07\x08\x0b\x7f") == std::string::npos);
+  CHECK(escaped == printable(escaped, Layout::keep_lines));  // nothing is left to replace
+}
+
+TEST_CASE("base64 as in RFC 4648, section 10") {
+  const char* const rows[][2] = {{"", ""},
+                                 {"f", "Zg=="},
+                                 {"fo", "Zm8="},
+                                 {"foo", "Zm9v"},
+                                 {"foob", "Zm9vYg=="},
+                                 {"fooba", "Zm9vYmE="},
+                                 {"foobar", "Zm9vYmFy"}};
+  for (const auto& row : rows) CHECK(base64(std::as_bytes(std::span(std::string_view(row[0])))) == row[1]);
+  const std::byte high[] = {std::byte(0xFF), std::byte(0xFE), std::byte(0xFB)};
+  CHECK(base64(high) == "//77");
+}
