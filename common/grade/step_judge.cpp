@@ -73,16 +73,27 @@ StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvide
   return result;
 }
 
-StepResult StepJudge::judge_unbuilt(const judge::Built& built) const {
+StepResult StepJudge::judge_all_alike(const Answer& answer) const {
   StepResult result = empty_result();
+  for (std::size_t i = 0; i < file_.cases.size(); ++i)
+    result.cases[i] = judge::judge_case(file_.cases[i], answer, references_);
+  sum_up(result);
+  return result;
+}
+
+StepResult StepJudge::judge_unbuilt(const judge::Built& built) const {
   Answer answer;
   answer.ended = Answer::Ended::build_failed;
   answer.error = first_error(built.log);
-  for (std::size_t i = 0; i < file_.cases.size(); ++i)
-    result.cases[i] = judge::judge_case(file_.cases[i], answer, references_);
+  StepResult result = judge_all_alike(answer);
   result.build_log = built.log;
-  sum_up(result);
   return result;
+}
+
+StepResult StepJudge::judge_absent() const {
+  Answer answer;
+  answer.error = "Nothing was handed in for this step.";
+  return judge_all_alike(answer);
 }
 
 void sum_up(StepResult& step) {

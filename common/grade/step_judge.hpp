@@ -47,8 +47,12 @@ class StepJudge {
   /// What everybody gets whose files do not build: the compiler's words, and no points.
   judge::StepResult judge_unbuilt(const judge::Built& built) const;
 
+  /// What somebody gets who handed in nothing for this step.
+  judge::StepResult judge_absent() const;
+
  private:
   judge::StepResult empty_result() const;
+  judge::StepResult judge_all_alike(const judge::Answer& answer) const;
 
   judge::CaseFile file_;
   judge::StepReferences references_;

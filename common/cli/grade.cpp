@@ -1,0 +1,104 @@
+// ./atelier grade: somebody's submission, step by step, and the files that a grader and other programs read.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <deque>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+#include "cli/search_path.hpp"
+#include "grade/environment.hpp"
+#include "grade/submission.hpp"
+#include "judge/report_html.hpp"
+#include "judge/report_json.hpp"
+#include "judge/report_junit.hpp"
+#include "judge/report_terminal.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using judge::StepResult;
+
+/// Everything that the steps of one submission share.
+struct Grading {
+  ProjectFolders folders = project_folders();
+  std::vector<CourseStep> course = read_course(folders.step_flags());
+  judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
+  TemporaryFolder workshop{"atelier-grade"};  ///< the private copy, what is built from it, the driver's cache
+  grade::Submission submission;
+};
+
+/// The steps that were asked for, or those that were handed in.
+std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector<std::string>& asked) {
+  std::vector<CourseStep> steps = resolve_steps(grading.course, asked);
+  if (asked.empty())
+    std::erase_if(steps, [&](const auto& step) { return !grading.submission.present.contains(step.name); });
+  return steps;
+}
+
+StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
+                      const grade::StepJudge& judge) {
+  if (!grading.submission.present.contains(step.name)) return judge.judge_absent();
+  const grade::Code code{.sources = grading.submission.folder, .libraries = grading.workshop.path() / "libraries"};
+  const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
+  if (!built.ok) return judge.judge_unbuilt(built);
+
+  const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
+  judge::RunSettings settings;
+  settings.program = grading.folders.program(step.name);
+  settings.implementations = search_path(grading.folders, step.name, code, earlier);
+  settings.context = options.context;
+  settings.workers = options.workers;
+  settings.shuffle = options.shuffle;
+  settings.shader_cache = grading.workshop.path() / "shaders";  // it holds machine code: never shared
+  StepResult result = judge.judge(settings);
+  result.build_log = built.log;
+  result.implementations = in_words(earlier, step.name, "submission");
+  return result;
+}
+
+void write_results(judge::SubmissionResult& result, const fs::path& out) {
+  for (StepResult& step : result.steps)
+    for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
+  judge::write_results_json(out / "results.json", result);
+  judge::write_junit_xml(out / "junit.xml", result);
+  judge::write_html_report(out / "report.html", result);
+}
+
+}  // namespace
+
+int run_grade(const GradeOptions& options) {
+  Grading grading;
+  grading.submission =
+      grade::take_submission(grading.flags, options.submission, grading.workshop.path() / "submission");
+  const fs::path out =
+      options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
+
+  // All references before the first program: where one is broken nobody is graded, not half of the class.
+  const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
+  std::deque<grade::StepJudge> judges;
+  for (const CourseStep& step : steps) {
+    judges.emplace_back(grade::Criteria{.cases = grading.folders.case_file(step.name),
+                                        .mistakes = grading.folders.mistakes_file(step.name),
+                                        .reference_cache = grading.folders.reference_cache()});
+    judges.back().require_references();
+  }
+
+  judge::SubmissionResult result;
+  result.submission = grading.submission.name;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    result.steps.push_back(grade_step(grading, options, steps[i], judges[i]));
+  grade::sum_up(result);
+  result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
+
+  fmt::print("{}", options.json ? judge::results_json(result)
+                                : judge::terminal_report(result, judge::terminal_style(STDOUT_FILENO)));
+  write_results(result, out);
+  if (!options.json) fmt::print("Results: {}\n", out.string());
+  return exit_ok;
+}
+
+}  // namespace atelier

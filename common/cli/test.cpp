@@ -1,0 +1,106 @@
+// ./atelier test: everything that must hold, in three tiers.
+//
+//   --quick   the unit tests, and the steps' solutions through the judge
+//   (usual)   all but what is labelled "long", and the unit tests once more under AddressSanitizer and UBSan
+//   --all     everything
+//
+// ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+#include "cli/test_tally.hpp"
+
+extern char** environ;
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs a program on our own terminal, since these take minutes and somebody is watching. Returns its exit status, or
+/// 128 and the signal's number, as a shell does.
+int run_attached(std::vector<std::string> arguments) {
+  std::fflush(stdout);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  pid_t child = 0;
+  if (const int error = ::posix_spawnp(&child, pointers[0], nullptr, nullptr, pointers.data(), environ))
+    throw Error(fmt::format("{} cannot be started: {}", arguments[0], std::strerror(error)));
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string jobs() {
+  return std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Runs ctest in a build folder with `selection` (its -L and -LE options).
+Tally run_ctest(const fs::path& build, const std::vector<std::string>& selection) {
+  const fs::path junit = build / "tests.junit.xml";
+  std::error_code none;
+  fs::remove(junit, none);  // a report of yesterday must not be counted
+  std::vector<std::string> arguments = {"ctest", "--test-dir", build.string(), "--output-on-failure",
+                                        "--no-tests=error", "--parallel", jobs(), "--output-junit", junit.string(),
+                                        // Whole outputs, because their last lines are counted.
+                                        "--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"};
+  arguments.insert(arguments.end(), selection.begin(), selection.end());
+  const int status = run_attached(arguments);
+  Tally tally = fs::exists(junit) ? tally_of_junit(read_file(junit)) : Tally{};
+  if (status != 0 && tally.failed == 0) tally.failed = 1;  // ctest itself is not content
+  return tally;
+}
+
+/// Builds and runs the unit tests under the sanitizers, in a build folder of their own. A build that fails is one
+/// failed test.
+Tally run_sanitized(const ProjectFolders& folders) {
+  const fs::path build = folders.root / "build" / "sanitize";
+  fmt::print("\nUnit tests under AddressSanitizer and UndefinedBehaviorSanitizer, in {}\n", build.string());
+  const std::string source = folders.root.string();
+  if (!fs::exists(build / "build.ninja") &&
+      run_attached({"cmake", "-S", source, "--preset", "sanitize", "-B", build.string()}) != 0)
+    return {.failed = 1};
+  if (run_attached({"cmake", "--build", build.string(), "--target", "unit_tests", "--", "--quiet"}) != 0)
+    return {.failed = 1};
+  return run_ctest(build, {"-L", "^unit$"});
+}
+
+std::vector<std::string> selection_of(TestOptions::Tier tier) {
+  switch (tier) {
+    case TestOptions::Tier::quick:
+      return {"-L", "^(unit|quick)$"};
+    case TestOptions::Tier::usual:
+      return {"-LE", "^long$"};
+    case TestOptions::Tier::all:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+int run_test(const TestOptions& options) {
+  const ProjectFolders folders = project_folders();
+  Tally tally = run_ctest(folders.build, selection_of(options.tier));
+  if (options.tier != TestOptions::Tier::quick) tally += run_sanitized(folders);
+
+  if (tally.skipped > 0)
+    fmt::print("\n{} passed, {} failed, {} skipped\n", tally.passed, tally.failed, tally.skipped);
+  else
+    fmt::print("\n{} passed, {} failed\n", tally.passed, tally.failed);
+  return tally.failed == 0 ? exit_ok : exit_failed;
+}
+
+}  // namespace atelier
