@@ -38,6 +38,13 @@ std::map<std::string, std::vector<std::string>> texts_by_step(const Json& value,
   return lists;
 }
 
+std::map<std::string, std::string> titles_by_step(const Json& value, const std::string& where) {
+  if (!value.is_object()) strict_json::refuse(value, where, "an object with a text for every step");
+  std::map<std::string, std::string> titles;
+  for (const auto& [step, title] : value.items()) titles[step] = strict_json::text(title, where + ": " + step);
+  return titles;
+}
+
 const std::vector<std::string>& files_of(const StepFlags& flags, const std::string& step) {
   const auto found = flags.files.find(step);
   if (found != flags.files.end()) return found->second;
@@ -67,7 +74,7 @@ std::string check_sources(const StepFlags& flags, const std::string& step, const
     const std::string complaint = complaint_about(sources, name);
     log += complaint;
     if (complaint.empty() && name.ends_with(".cpp"))
-      log += refused_includes(read_file(sources / name, source_limit), name,
+      log += refused_includes(read_file(sources / name, source_limit), name, step,
                               headers == flags.headers.end() ? std::vector<std::string>{} : headers->second);
   }
   return log;
@@ -105,26 +112,36 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
 }
 
 /// How far one command got.
-struct Step {
+struct Outcome {
   bool ok = false, fresh = false;
   std::string log;
 };
 
+/// The options of a compile, and the folder of the step's contract to be searched for "blinn_phong.hpp": a student's
+/// file stands beside its contract, a submission or a patched solution does not.
+std::vector<std::string> compile_options(const StepFlags& flags, const std::string& step) {
+  std::vector<std::string> options = flags.compile;
+  for (const std::string& option : flags.compile)
+    if (option.starts_with("-I") && fs::is_directory(fs::path(option.substr(2)) / step))
+      append(options, {"-iquote", option.substr(2) + "/" + step});
+  return options;
+}
+
 /// One .cpp file into one object.
-Step compile(const StepFlags& flags, const fs::path& sources, const std::string& source, const fs::path& objects,
-             milliseconds time_limit) {
+Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
+                const fs::path& objects, milliseconds time_limit) {
   const fs::path dependencies = objects / (source + ".d");
   Recipe recipe{.command = {flags.compiler}, .folder = sources, .product = objects / (source + ".o")};
-  append(recipe.command, flags.compile);
+  append(recipe.command, compile_options(flags, step));
   append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
   if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
 
   forget_record(recipe);
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
-  Step step{.ok = false, .fresh = true, .log = {}};
-  step.ok = run_tool(recipe.command, sources, source, time_limit, step.log);
-  if (!step.ok) return step;
+  Outcome outcome{.ok = false, .fresh = true, .log = {}};
+  outcome.ok = run_tool(recipe.command, sources, source, time_limit, outcome.log);
+  if (!outcome.ok) return outcome;
 
   // What was edited while the compiler ran is not what the object is made of: then no record, and the next build asks
   // the compiler again.
@@ -134,17 +151,18 @@ Step compile(const StepFlags& flags, const fs::path& sources, const std::string&
     std::error_code error;
     return fs::last_write_time(sources / input.first, error) < begin && !error;
   });
-  if (steady) write_record(recipe, inputs, step.log);
-  return step;
+  if (steady) write_record(recipe, inputs, outcome.log);
+  return outcome;
 }
 
 /// All .cpp files, two at a time: more would not help on the smallest machines that the course is taught on.
-std::vector<Step> compile_all(const StepFlags& flags, const fs::path& sources, const std::vector<std::string>& names,
-                              const fs::path& objects, milliseconds time_limit) {
-  std::vector<Step> done(names.size());
+std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step, const fs::path& sources,
+                                 const std::vector<std::string>& names, const fs::path& objects,
+                                 milliseconds time_limit) {
+  std::vector<Outcome> done(names.size());
   const auto every_second = [&](std::size_t first) {
     for (std::size_t i = first; i < names.size(); i += 2)
-      done[i] = compile(flags, sources, names[i], objects, time_limit);
+      done[i] = compile(flags, step, sources, names[i], objects, time_limit);
   };
   std::future<void> other;
   if (names.size() > 1) other = std::async(std::launch::async, every_second, 1);
@@ -154,8 +172,8 @@ std::vector<Step> compile_all(const StepFlags& flags, const fs::path& sources, c
 }
 
 /// Links beside the library and renames: a program that has the old one loaded keeps it.
-Step link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
-          const fs::path& library, milliseconds time_limit) {
+Outcome link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
+             const fs::path& library, milliseconds time_limit) {
   Recipe recipe{.command = {flags.compiler}, .folder = objects, .product = library};
   std::vector<std::string> inputs;
   for (const std::string& name : names) inputs.push_back(name + ".o");
@@ -167,14 +185,14 @@ Step link(const StepFlags& flags, const std::vector<std::string>& names, const f
   const fs::path partial = objects / fmt::format("{}.{}", library.filename().string(), ::getpid());
   std::vector<std::string> command = recipe.command;
   append(command, {"-o", partial.string()});
-  Step step{.ok = false, .fresh = true, .log = {}};
-  step.ok = run_tool(command, objects, "linking", time_limit, step.log);
-  if (!step.ok) return step;
+  Outcome outcome{.ok = false, .fresh = true, .log = {}};
+  outcome.ok = run_tool(command, objects, "linking", time_limit, outcome.log);
+  if (!outcome.ok) return outcome;
   std::error_code error;
   fs::rename(partial, library, error);
   if (error) throw Error(fmt::format("{}: cannot be written: {}", library.string(), error.message()));
-  write_record(recipe, fingerprints(inputs, objects), step.log);
-  return step;
+  write_record(recipe, fingerprints(inputs, objects), outcome.log);
+  return outcome;
 }
 
 std::string bounded(const std::string& log) {
@@ -187,13 +205,18 @@ std::string bounded(const std::string& log) {
 StepFlags read_step_flags(const fs::path& file) {
   const std::string where = file.string();
   const Json json = strict_json::parse(read_file(file, 1 << 20), where);
-  strict_json::refuse_unknown(json, {"compiler", "compile", "link", "files", "headers"}, where);
+  strict_json::refuse_unknown(
+      json, {"compiler", "compiler_version", "compile", "link", "files", "headers", "uses", "titles"}, where);
   StepFlags flags;
   flags.compiler = strict_json::text(strict_json::required(json, "compiler", where), where + ": compiler", 4096);
+  flags.compiler_version =
+      strict_json::text(strict_json::required(json, "compiler_version", where), where + ": compiler_version");
   flags.compile = texts(strict_json::required(json, "compile", where), where + ": compile");
   flags.link = texts(strict_json::required(json, "link", where), where + ": link");
   flags.files = texts_by_step(strict_json::required(json, "files", where), where + ": files");
   flags.headers = texts_by_step(strict_json::required(json, "headers", where), where + ": headers");
+  flags.uses = texts_by_step(strict_json::required(json, "uses", where), where + ": uses");
+  flags.titles = titles_by_step(strict_json::required(json, "titles", where), where + ": titles");
   for (const auto& [step, names] : flags.files)
     for (const std::string& name : names)
       if (fs::path(name).filename() != name || name.front() == '.' || name.front() == '-')
@@ -213,11 +236,11 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
     fs::create_directories(objects, error);
     if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
 
-    std::vector<Step> done = compile_all(flags, fs::absolute(sources), names, objects, time_limit);
-    const auto succeeded = [](const Step& s) { return s.ok; };
+    std::vector<Outcome> done = compile_all(flags, step, fs::absolute(sources), names, objects, time_limit);
+    const auto succeeded = [](const Outcome& s) { return s.ok; };
     built.ok = std::all_of(done.begin(), done.end(), succeeded);
     if (built.ok && !names.empty()) done.push_back(link(flags, names, objects, library, time_limit));
-    for (const Step& s : done) {
+    for (const Outcome& s : done) {
       built.ok = built.ok && s.ok;
       built.fresh = built.fresh || s.fresh;
       built.log += s.log;

@@ -3,10 +3,13 @@
 // CMake writes BUILD/step_flags.json, so that a student's file is compiled just as the rest of the project is:
 //
 //   {"compiler": "g++",
-//    "compile": ["-std=c++20", "-I...", "-include", "..."],      options of one compile, the precompiled header among
-//    them "link":    ["-shared", "-fuse-ld=mold"],                    options of the link, after the objects "files":
-//    {"02-blinn-phong": ["blinn_phong.cpp", "blinn_phong.glsl"]},       what a student writes for the step "headers":
-//    {"02-blinn-phong": ["02-blinn-phong/blinn_phong.hpp"]}}            what its C++ may include
+//    "compiler_version": "GNU 12.2.0",
+//    "compile": ["-std=c++20", "-I...", "-include", "..."],                   of each file, the precompiled header too
+//    "link":    ["-shared", "-fuse-ld=mold"],                                 behind the objects
+//    "titles":  {"02-blinn-phong": "Light and materials"},
+//    "files":   {"02-blinn-phong": ["blinn_phong.cpp", "blinn_phong.glsl"]},  what a student writes
+//    "headers": {"02-blinn-phong": ["02-blinn-phong/blinn_phong.hpp"]},       what its C++ may include, below an -I
+//    "uses":    {"02-blinn-phong": ["01-transforms"]}}                        the earlier steps that it calls
 #pragma once
 
 #include <chrono>
@@ -18,10 +21,12 @@
 namespace atelier::judge {
 
 struct StepFlags {
-  std::string compiler;
+  std::string compiler, compiler_version;
   std::vector<std::string> compile, link;
   std::map<std::string, std::vector<std::string>> files;    ///< by step; plain names
   std::map<std::string, std::vector<std::string>> headers;  ///< by step
+  std::map<std::string, std::vector<std::string>> uses;     ///< by step
+  std::map<std::string, std::string> titles;                ///< by step
 };
 
 /// Throws Error naming the file, the member and what is allowed.

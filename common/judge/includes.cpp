@@ -174,12 +174,13 @@ std::string why_refused(const std::string& target, const std::vector<std::string
              : "a step is built from its own listed files and from \"" + join(contract_headers, "\", \"") + '"';
 }
 
-bool allowed(const std::string& target, const std::vector<std::string>& contract_headers) {
+bool allowed(const std::string& target, const std::string& step, const std::vector<std::string>& contract_headers) {
   if (target == "<glm/glm.hpp>") return true;
   if (target.size() < 3) return false;
   const std::string name = target.substr(1, target.size() - 2);
   if (target.front() == '"')
-    return std::find(contract_headers.begin(), contract_headers.end(), name) != contract_headers.end();
+    return std::any_of(contract_headers.begin(), contract_headers.end(),
+                       [&](const std::string& header) { return header == name || header == step + "/" + name; });
   return target.front() == '<' && std::find(allowed_standard_headers.begin(), allowed_standard_headers.end(), name) !=
                                       allowed_standard_headers.end();
 }
@@ -212,11 +213,11 @@ std::vector<Include> find_includes(std::string_view source) {
   return includes;
 }
 
-std::string refused_includes(std::string_view source, const std::string& file,
+std::string refused_includes(std::string_view source, const std::string& file, const std::string& step,
                              const std::vector<std::string>& contract_headers) {
   std::string refused;
   for (const Include& include : find_includes(source))
-    if (!allowed(include.target, contract_headers))
+    if (!allowed(include.target, step, contract_headers))
       refused += fmt::format("{}:{}: #include {} is not open to a step: {}\n", file, include.line,
                              shorten(printable(include.target), 200), why_refused(include.target, contract_headers));
   return refused;

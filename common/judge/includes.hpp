@@ -22,8 +22,9 @@ struct Include {
 std::vector<Include> find_includes(std::string_view source);
 
 /// One line "FILE:LINE: #include X is not open to a step: why" for every include of `source` that is not among
-/// `contract_headers` (as they are included: "02-blinn-phong/blinn_phong.hpp") nor on the list; empty where all are.
-std::string refused_includes(std::string_view source, const std::string& file,
+/// `contract_headers` ("02-blinn-phong/blinn_phong.hpp"; those of `step` itself also without the folder) nor on the
+/// list; empty where all are.
+std::string refused_includes(std::string_view source, const std::string& file, const std::string& step,
                              const std::vector<std::string>& contract_headers);
 
 }  // namespace atelier::judge

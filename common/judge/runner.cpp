@@ -264,6 +264,8 @@ std::map<std::string, std::string> program_environment(const RunSettings& settin
     environment["MESA_SHADER_CACHE_DISABLE"] = "true";
   else
     environment["MESA_SHADER_CACHE_DIR"] = fs::absolute(settings.shader_cache).string();
+  // A program built with sanitizers would exit by itself: what they find is to count as the crash that it is.
+  for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) environment.try_emplace(name, "abort_on_error=1");
   for (const auto& [name, value] : settings.environment) environment[name] = value;
   return environment;
 }

@@ -24,10 +24,13 @@ struct Course {
   fs::path student = folder.path() / "student files", out = folder.path() / "out", given = folder.path() / "given";
   fs::path library = out / "90-sums" / "libstep.so";
   StepFlags flags{.compiler = "g++",
+                  .compiler_version = "",
                   .compile = {"-std=c++20", "-O0", "-fPIC", "-Wall", "-I" + (folder.path() / "given").string()},
                   .link = {"-shared"},
                   .files = {{"90-sums", {"sum.cpp", "product.cpp", "sums.glsl"}}, {"91-shader", {"only.glsl"}}},
-                  .headers = {{"90-sums", {"90-sums/sums.hpp"}}}};
+                  .headers = {{"90-sums", {"90-sums/sums.hpp"}}},
+                  .uses = {},
+                  .titles = {}};
 
   Course() {
     write_file(given / "90-sums/sums.hpp", "#pragma once\nextern \"C\" int sum(int a, int b);\n#define ONE 1\n");
@@ -80,6 +83,10 @@ TEST_CASE("a student's files become a library, and only what changed is built ag
   };
   const std::vector<Row> rows = {
       {"the source", [&] { write_sum("a - b"); }, true, -1},
+      {"the contract by its short name",
+       [&] { course.write("sum.cpp", "#include \"sums.hpp\"\nint sum(int a, int b) { return a + b + ONE; }\n"); }, true,
+       6},
+      {"the source again", [&] { write_sum("a - b"); }, true, -1},
       {"nothing, but saved anew", [&] { write_sum("a - b"); }, false, -1},
       {"an older copy of the source",
        [&] {
@@ -232,7 +239,8 @@ TEST_CASE("the flags that CMake wrote are read strictly") {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "step_flags.json";
   const std::string good = R"({"compiler": "g++", "compile": ["-O2"], "link": [],
-                               "files": {"01-a": ["a.cpp"]}, "headers": {"01-a": ["01-a/a.hpp"]}})";
+                               "files": {"01-a": ["a.cpp"]}, "headers": {"01-a": ["01-a/a.hpp"]},
+                               "uses": {"01-a": []}, "titles": {"01-a": "A"}, "compiler_version": "GNU 12"})";
   write_file(file, good);
   const StepFlags flags = read_step_flags(file);
   CHECK(flags.compiler == "g++");
@@ -254,6 +262,7 @@ TEST_CASE("the flags that CMake wrote are read strictly") {
       {"a.cpp", "../a.cpp", {"files", "01-a", "../a.cpp"}},
       {"a.cpp", "/a.cpp", {"files", "/a.cpp"}},
       {"a.cpp", "-a.cpp", {"files", "-a.cpp"}},
+      {"{\"01-a\": \"A\"}", "3", {"titles", "3"}},
       {"{", "", {"step_flags.json"}},
   };
   for (const Row& row : rows) {

@@ -34,6 +34,12 @@ void tell(const std::string& line) {
   if (::write(progress, line.data(), line.size()) != ssize_t(line.size())) std::exit(7);
 }
 
+/// As a program without sanitizers, whose handlers would turn it into an exit.
+void segfault() {
+  std::signal(SIGSEGV, SIG_DFL);
+  std::raise(SIGSEGV);
+}
+
 [[noreturn]] void hang() {
   for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }
@@ -82,7 +88,7 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
          draw(c, file);
          write_case_error(fs::path(options["--out"]) / (c.name + ".error"), "too late");
        }},
-      {"segfaults", [](const Case&, const fs::path&) { std::raise(SIGSEGV); }},
+      {"segfaults", [](const Case&, const fs::path&) { segfault(); }},
       {"draws, then aborts",
        [](const Case& c, const fs::path& file) {
          draw(c, file);
@@ -117,7 +123,7 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
       {"prints, segfaults",
        [](const Case& c, const fs::path&) {
          print(c);
-         std::raise(SIGSEGV);
+         segfault();
        }},
       {"environment",
        [](const Case& c, const fs::path& file) {
@@ -202,7 +208,7 @@ void start() {
     std::cout << "all cases passed\n";
     std::exit(0);
   }
-  if (how == "segfaults") std::raise(SIGSEGV);
+  if (how == "segfaults") segfault();
   if (how == "hangs") hang();
 }
 
