@@ -2,6 +2,7 @@
 add_library(atelier_options INTERFACE)
 target_compile_options(atelier_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+  -Wno-restrict        # GCC 12 sees overlaps in std::string that are not there
   -ffp-contract=off)  # the same arithmetic with and without fused multiply-add
 if(ATELIER_WERROR)
   target_compile_options(atelier_options INTERFACE -Werror)

@@ -22,11 +22,11 @@ std::string value_text(const SettingValue& value) {
   return std::visit(print, value);
 }
 
-const char* encoding_name(OutputEncoding encoding) {
+const char* encoding_name(Encoding encoding) {
   switch (encoding) {
-    case OutputEncoding::linear_colour: return "linear colour";
-    case OutputEncoding::encoded_colour: return "encoded colour";
-    case OutputEncoding::data: return "data";
+    case Encoding::linear: return "linear colour";
+    case Encoding::srgb: return "encoded colour";
+    case Encoding::data: return "data";
   }
   return "";
 }

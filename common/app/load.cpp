@@ -51,6 +51,12 @@ Implementations default_implementations(const std::string& step) {
   return Implementations(std::move(roots));
 }
 
+Implementations with_given_files(const Implementations& implementations) {
+  auto roots = implementations.roots();
+  roots.push_back({project_root / "steps", ""});
+  return Implementations(std::move(roots));
+}
+
 std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations) {
   for (const std::string& step : identity.libraries) {
     const auto library = implementations.find(step + "/libstep.so");

@@ -19,6 +19,9 @@ struct StepIdentity {
 /// there, otherwise the own files again. Roots that do not exist are left out.
 Implementations default_implementations(const std::string& step);
 
+/// The same path, and behind it steps/, where the given shader files of every step are.
+Implementations with_given_files(const Implementations& implementations);
+
 /// Loads NN-name/libstep.so of each of the identity's libraries, then the program. Throws Error where a
 /// library is not built yet (saying how to build it) or lacks a function that the contract declares (naming it).
 std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations);

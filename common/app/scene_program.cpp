@@ -39,10 +39,10 @@ SceneProgram::SceneProgram(StepDescription description, TransformFunctions trans
       transforms_(std::move(transforms)),
       make_features_(std::move(features)),
       make_scene_(std::move(make_scene)) {
-  description_.outputs.push_back({"depth", OutputEncoding::data, "depth as it is stored: 0 to 1"});
-  description_.outputs.push_back({"normal", OutputEncoding::data, "the normal n in world space, as n/2 + 1/2"});
-  description_.outputs.push_back({"position", OutputEncoding::data, "the position in world space, metres"});
-  description_.outputs.push_back({"texcoord", OutputEncoding::data, "the texture coordinate as (u, v, 0)"});
+  description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
+  description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
+  description_.outputs.push_back({"position", Encoding::data, "the position in world space, metres"});
+  description_.outputs.push_back({"texcoord", Encoding::data, "the texture coordinate as (u, v, 0)"});
 }
 
 void SceneProgram::open(Gl& gl, const Implementations& implementations) {

@@ -25,10 +25,10 @@ void print_counts(const GlCounts& counts) {
              counts.texture_bytes);
 }
 
-OutputEncoding encoding_of(const StepDescription& description, const std::string& output) {
+Encoding encoding_of(const StepDescription& description, const std::string& output) {
   for (const OutputSpec& spec : description.outputs)
     if (spec.name == output) return spec.encoding;
-  return OutputEncoding::linear_colour;
+  return Encoding::linear;
 }
 
 /// Everything that needs pictures but no window.
@@ -50,8 +50,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     record_turn(painter, apply(line.picture.camera, program->camera()), line.picture, line.record, line.frames);
   } else {
     const Image image = painter.paint(line.picture);
-    const bool linear = encoding_of(program->description(), line.picture.output) == OutputEncoding::linear_colour;
-    write_image(line.out, image, {.encode_srgb = linear});
+    write_image(line.out, image, {.encoding = encoding_of(program->description(), line.picture.output)});
   }
   if (line.stats) print_counts(painter.gl().counts);
   return exit_ok;
@@ -60,7 +59,8 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
 int run(int count, char** arguments, const StepIdentity& identity) {
   auto line = parse_command_line(count, arguments, identity.name);
   if (!line) return exit_ok;
-  const Implementations implementations = line->implementations ? *line->implementations : default_implementations(identity.name);
+  const Implementations implementations =
+      with_given_files(line->implementations ? *line->implementations : default_implementations(identity.name));
   const bool headless = !line->out.empty() || !line->record.empty() || !line->cases.empty();
   if (!headless && !line->list) return run_window(identity, implementations, *line);
 

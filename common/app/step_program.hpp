@@ -13,20 +13,14 @@
 #include "case/settings.hpp"
 #include "gl/gl.hpp"
 #include "gl/target.hpp"
+#include "image/colour.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
 
-/// How the pixels of an output are to be understood.
-enum class OutputEncoding {
-  linear_colour,   ///< linear light: encoded to sRGB once, by whoever shows or judges it
-  encoded_colour,  ///< sRGB-encoded already
-  data,            ///< numbers: a depth, a coded direction, texture coordinates
-};
-
 struct OutputSpec {
   std::string name;  ///< "colour", "depth", ...
-  OutputEncoding encoding = OutputEncoding::linear_colour;
+  Encoding encoding = Encoding::linear;  ///< linear colour, sRGB-encoded colour, or data (a depth, a coded direction)
   std::string help;  ///< one sentence with the unit
 };
 

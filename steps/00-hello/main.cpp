@@ -74,7 +74,7 @@ class Hello : public StepProgram {
   StepDescription description_{.name = "00-hello",
                                .title = "Hello, triangle",
                                .scenes = {"triangle"},
-                               .outputs = {{"colour", OutputEncoding::linear_colour, "what is seen"}}};
+                               .outputs = {{"colour", Encoding::linear, "what is seen"}}};
   Gl* gl_ = nullptr;
   Implementations implementations_;
   GlVertexArray vertex_array_;

@@ -10,14 +10,14 @@ namespace atelier {
 
 namespace {
 
-StepDescription description() {
+StepDescription describe() {
   std::vector<SettingSpec> settings = view_settings();
   for (const SettingSpec& spec : transform_scene_settings()) settings.push_back(spec);
   return {.name = "01-transforms",
           .title = "Transforms and vertex buffers",
           .scenes = transform_scene_names(),
           .settings = settings,
-          .outputs = {{"colour", OutputEncoding::linear_colour, "what is seen"}},
+          .outputs = {{"colour", Encoding::linear, "what is seen"}},
           .probes = transform_probes()};
 }
 
@@ -30,7 +30,7 @@ std::vector<std::unique_ptr<Feature>> features() {
 /// All scenes but one are drawn by the renderer; "triangle" is upload_triangle's own.
 class Transforms : public SceneProgram {
  public:
-  Transforms() : SceneProgram(description(), transform_functions(), features, make_transform_scene) {}
+  Transforms() : SceneProgram(describe(), transform_functions(), features, make_transform_scene) {}
 
   void open(Gl& gl, const Implementations& implementations) override {
     SceneProgram::open(gl, implementations);

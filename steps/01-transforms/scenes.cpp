@@ -30,7 +30,7 @@ Scene stretched() {
   add_node(scene, {.name = "mirrored", .translation = {1.2, -0.6, 0}, .scale = {-1, 1, 1}, .mesh = teapot, .material = clay});
   add_node(scene, {.name = "flattened", .translation = {3, 0.2, 0}, .rotation_axis = {0, 1, 0}, .rotation_angle = 0.6f,
                    .scale = {1, 1, 0}, .mesh = ball, .material = moss});
-  scene.camera = {.eye = {0, 1.2, 7.5}, .target = {0, 0.1, 0}, .fov_y = degrees(35), .near = 0.5f, .far = 50};
+  scene.camera = {.eye = {0, 1.6, 11}, .target = {0, 0.1, 0}, .fov_y = degrees(40), .near = 0.5f, .far = 50};
   return scene;
 }
 

@@ -8,6 +8,10 @@
 //   A corner travels  object --model--> world --view--> view --projection--> clip --divide by w--> -1..1 in x, y, z.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
 #include "render/transforms.hpp"
 
 namespace atelier::transforms {

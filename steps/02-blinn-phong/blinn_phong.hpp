@@ -40,6 +40,9 @@
 //       As the C++ functions below, for each component; negative values become 0.
 #pragma once
 
+#include <algorithm>
+#include <vector>
+
 #include "01-transforms/transforms.hpp"
 
 namespace atelier::blinn_phong {

@@ -9,17 +9,17 @@ namespace atelier {
 
 namespace {
 
-StepDescription description() {
+StepDescription describe() {
   std::vector<SettingSpec> settings = lit_surface_settings();
   for (const SettingSpec& spec : blinn_phong_scene_settings()) settings.push_back(spec);
   return {.name = "02-blinn-phong",
           .title = "Light and materials after Blinn and Phong",
           .scenes = blinn_phong_scene_names(),
           .settings = settings,
-          .outputs = {{"colour", OutputEncoding::linear_colour, "what is seen"},
-                      {"diffuse", OutputEncoding::linear_colour, "the ambient and diffuse part alone"},
-                      {"specular", OutputEncoding::linear_colour, "the highlights alone"},
-                      {"encoded", OutputEncoding::encoded_colour, "what is seen, encoded by your srgb_encode"}},
+          .outputs = {{"colour", Encoding::linear, "what is seen"},
+                      {"diffuse", Encoding::linear, "the ambient and diffuse part alone"},
+                      {"specular", Encoding::linear, "the highlights alone"},
+                      {"encoded", Encoding::srgb, "what is seen, encoded by your srgb_encode"}},
           .probes = blinn_phong_probes()};
 }
 
@@ -35,5 +35,5 @@ std::vector<std::unique_ptr<Feature>> features() {
 
 extern "C" atelier::StepProgram* atelier_step_program() {
   using namespace atelier;
-  return new SceneProgram(description(), transform_functions(), features, make_blinn_phong_scene);
+  return new SceneProgram(describe(), transform_functions(), features, make_blinn_phong_scene);
 }

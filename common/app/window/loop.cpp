@@ -27,18 +27,6 @@ std::filesystem::path free_name(const Viewer& viewer) {
   return file;
 }
 
-Encoding file_encoding(OutputEncoding output) {
-  switch (output) {
-    case OutputEncoding::linear_colour:
-      return Encoding::linear;
-    case OutputEncoding::encoded_colour:
-      return Encoding::srgb;
-    case OutputEncoding::data:
-      break;
-  }
-  return Encoding::data;
-}
-
 }  // namespace
 
 WindowWishes wishes_of_environment() {
@@ -145,7 +133,7 @@ void Window::save_picture() {
   if (!viewer_.picture()) return notify("there is no picture to save yet");
   try {
     const auto file = free_name(viewer_);
-    write_image(file, viewer_.picture()->read_colour(display_.gl()), {.encoding = file_encoding(viewer_.encoding())});
+    write_image(file, viewer_.picture()->read_colour(display_.gl()), {.encoding = viewer_.encoding()});
     notify(fmt::format("saved {}", file.string()));
   } catch (const Error& error) {
     notify(fmt::format("not saved: {}", error.what()));

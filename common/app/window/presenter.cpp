@@ -47,7 +47,7 @@ GlProgram build(Gl& gl) {
 
 Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) {}
 
-void Presenter::draw(const Target& picture, OutputEncoding encoding, const PixelArea& area) {
+void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& area) {
   gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);
@@ -55,7 +55,7 @@ void Presenter::draw(const Target& picture, OutputEncoding encoding, const Pixel
   gl_.Disable(GL_SCISSOR_TEST);
   gl_.UseProgram(program_.id());
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);
-  gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == OutputEncoding::linear_colour);
+  gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == Encoding::linear);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, picture.colour_texture());
   gl_.BindVertexArray(no_attributes_.id());

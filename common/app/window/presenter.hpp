@@ -21,7 +21,7 @@ class Presenter {
   /// Fills `area` of the framebuffer that is bound, pixel for pixel where it has the target's size. Linear colours are
   /// encoded to sRGB (IEC 61966-2-1), the others shown as they are; all are clamped to 0..1. What is no number or
   /// infinite shows as magenta: nothing else would tell.
-  void draw(const Target& picture, OutputEncoding encoding, const PixelArea& area);
+  void draw(const Target& picture, Encoding encoding, const PixelArea& area);
 
  private:
   Gl& gl_;

@@ -56,10 +56,10 @@ Viewer::Viewer(StepProgram& program, Gl& gl, const Implementations& implementati
   program_.open(gl_, implementations);
 }
 
-OutputEncoding Viewer::encoding() const {
+Encoding Viewer::encoding() const {
   for (const OutputSpec& spec : description().outputs)
     if (spec.name == output_) return spec.encoding;
-  return OutputEncoding::linear_colour;
+  return Encoding::linear;
 }
 
 void Viewer::choose_scene(const std::string& name) {

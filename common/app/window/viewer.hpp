@@ -33,8 +33,8 @@ class Viewer {
   const std::string& scene() const { return scene_; }
   const std::string& output() const { return output_; }
   const Settings& settings() const { return settings_; }
-  OutputEncoding encoding() const;  ///< of the output that is shown
-  Camera camera() const;            ///< as it is drawn from
+  Encoding encoding() const;  ///< of the output that is shown
+  Camera camera() const;      ///< as it is drawn from
 
   void choose_scene(const std::string& name);  ///< a name or a model file; its camera becomes the current one
   void choose_output(const std::string& name);
