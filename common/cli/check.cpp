@@ -34,6 +34,12 @@ judge::RunSettings run_settings(const ProjectFolders& folders, const CheckOption
   return settings;
 }
 
+/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart.
+grade::Code own_code(const ProjectFolders& folders, const CheckOptions& options) {
+  if (options.sources.empty()) return code_of(folders, Owner::mine);
+  return {.sources = fs::absolute(options.sources), .libraries = folders.implementations() / "elsewhere"};
+}
+
 StepResult judge_own_files(const ProjectFolders& folders, const CheckOptions& options, const CourseStep& step,
                            const std::vector<CourseStep>& course) {
   const grade::StepJudge judge({.cases = folders.case_file(step.name),
@@ -41,7 +47,7 @@ StepResult judge_own_files(const ProjectFolders& folders, const CheckOptions& op
                                 .reference_cache = folders.reference_cache()},
                                options.cases);
   std::future<void> references = std::async(std::launch::async, [&] { judge.require_references(); });
-  const OwnFiles own = prepare_own_files(folders, course, step, options.earlier);
+  const OwnFiles own = prepare_own_files(folders, course, step, own_code(folders, options), options.earlier);
   references.get();
 
   StepResult result =

@@ -22,6 +22,7 @@ struct CheckOptions {
   std::string context = "osmesa";  ///< or "egl"
   std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
   std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
+  std::filesystem::path sources;   ///< where the own NN-name/ folders are; empty: steps/
   bool heatmap = false, json = false, skip_report = false;
 };
 int run_check(const CheckOptions& options);

@@ -68,6 +68,8 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   add_context(check, options.check.context);
   add_earlier(check, options.check.earlier);
   check->add_option("--report", options.check.report, "Folder of the report; without it: out/check/STEP");
+  check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; without it: steps")
+      ->check(CLI::ExistingDirectory);
   check->add_flag("--heatmap", options.check.heatmap, "Show where a picture differs, in letters");
   check->add_flag("--skip-report", options.check.skip_report, "Print the verdict and write nothing");
   add_json(check, options.check.json);

@@ -7,14 +7,14 @@
 namespace atelier {
 
 OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
-                           const std::string& earlier) {
+                           const grade::Code& mine, const std::string& earlier) {
   const judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
-  const grade::Code mine = code_of(folders, Owner::mine);
   OwnFiles own;
   own.earlier = choose_owners(folders, course, step, earlier);
   for (const auto& [name, owner] : own.earlier) {
     if (owner != Owner::mine) continue;
-    const judge::Built built = judge::build_step(flags, name, mine.sources / name, mine.libraries);
+    const grade::Code before = code_of(folders, Owner::mine);
+    const judge::Built built = judge::build_step(flags, name, before.sources / name, before.libraries);
     if (!built.ok)
       throw Error(fmt::format("your own {} does not build (--earlier solution goes round it):\n{}", name, built.log));
   }

@@ -16,10 +16,10 @@ struct OwnFiles {
   Implementations path;  ///< for the step's program
 };
 
-/// Builds steps/NN-name and, where they are the student's, the earlier steps that it uses. `earlier` as for
-/// choose_owners. Throws Error where an earlier step of the student's does not build, with the compiler's words and the
-/// way round it.
+/// Builds NN-name below `mine.sources` and, where they are the student's, the earlier steps that it uses. `earlier` as
+/// for choose_owners. Throws Error where an earlier step of the student's does not build, with the compiler's words and
+/// the way round it.
 OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
-                           const std::string& earlier);
+                           const grade::Code& mine, const std::string& earlier);
 
 }  // namespace atelier

@@ -179,6 +179,9 @@ void print_json(const std::vector<Row>& rows) {
 
 int run_reference(const ReferenceOptions& options) {
   const ProjectFolders folders = project_folders();
+  if (!options.cases.empty() && options.steps.size() != 1)
+    throw Error(
+        "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
   const judge::Environment environment = grade::describe_environment("osmesa", folders.step_flags(), folders.root);
   std::vector<Row> rows;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {

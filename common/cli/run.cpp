@@ -17,7 +17,7 @@ int run_run(const RunOptions& options) {
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
   const CourseStep step = resolve_step(course, options.step);
-  const OwnFiles own = prepare_own_files(folders, course, step, options.earlier);
+  const OwnFiles own = prepare_own_files(folders, course, step, code_of(folders, Owner::mine), options.earlier);
   if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
   if (!own.built.log.empty()) fmt::print(stderr, "{}", own.built.log);  // warnings
 
