@@ -137,6 +137,15 @@ TEST_CASE("strict: what is over, how much of it is solid, where it is worst") {
   }
 }
 
+TEST_CASE("strict: eight-bit codes exactly delta apart are within it, however their floats round") {
+  const Image reference = grey(253, 1, [](int x, int) { return x / 255.0; });
+  CHECK(compare_strict(grey(253, 1, [](int x, int) { return (x + 3) / 255.0; }), reference, Measure::level, 3).over ==
+        0);
+  CHECK(compare_strict(grey(252, 1, [](int x, int) { return (x + 4) / 255.0; }),
+                       grey(252, 1, [](int x, int) { return x / 255.0; }), Measure::level, 3)
+            .over == 252);
+}
+
 TEST_CASE("strict: honest noise of one level passes, and each channel counts by itself") {
   Noise noise(7);
   const Image reference = waves(64, 64);

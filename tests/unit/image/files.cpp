@@ -216,6 +216,20 @@ TEST_CASE("truncated pictures are refused, damaged ones do no harm") {
   }
 }
 
+TEST_CASE("a PNG is looked through before it is decoded") {
+  const auto bytes = encode_png(waves(20, 10));
+  const std::string whole(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  const auto error = [](const std::string& file) {
+    return error_of([&] { read_image_bytes(bytes_of(file), "a.png"); });
+  };
+  CHECK(error(whole).empty());
+  CHECK(error(whole + "what follows is no part of it").empty());
+  CHECK(mentions(error(whole.substr(0, whole.size() - 12)), {"a.png", "end is missing"}));  // its IEND
+  std::string damaged = whole;
+  damaged[whole.size() / 2] ^= 1;
+  CHECK(mentions(error(damaged), {"a.png", "checksum"}));
+}
+
 TEST_CASE("a JPEG without its end is refused, not filled up with grey") {
   // A start of image, a start of scan and some coded pixels: enough for the question, too little for a picture.
   const std::string cut("\xff\xd8\xff\xe0\x00\x04\x00\x00\xff\xda\x00\x02pixels", 18);
