@@ -1,0 +1,40 @@
+// Wavefront OBJ as it lies on the disk: lists of numbers, and faces that point into them.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace atelier::scene_import {
+
+/// A corner of a face: places in ObjFile's lists, -1 for none.
+struct ObjCorner {
+  int position = -1, texcoord = -1, normal = -1;
+};
+
+struct ObjFace {
+  std::size_t first = 0;  ///< its corners are ObjFile::corners[first .. first + count)
+  int count = 0;          ///< 3 or more
+  int object = 0;         ///< index into ObjFile::objects
+  int material = -1;      ///< index into ObjFile::materials, -1 before the first usemtl
+  int smoothing = -1;     ///< 0 off, 1 and above a group, -1 before the first s
+};
+
+struct ObjFile {
+  std::vector<glm::vec3> positions;  ///< all finite
+  std::vector<glm::vec3> normals;    ///< as they are: zero and not finite included
+  std::vector<glm::vec2> texcoords;
+  std::vector<ObjCorner> corners;
+  std::vector<ObjFace> faces;
+  std::vector<std::string> objects;    ///< names of o and g; the first is the file's own
+  std::vector<std::string> materials;  ///< names of usemtl
+  std::vector<std::string> libraries;  ///< names of mtllib
+};
+
+/// Parses; faces with fewer than three corners are left out, as are points, lines and free-form surfaces. Throws Error
+/// "file:line: ..." at a number that is none, a position that is not finite, an index out of range, a face of more than
+/// 10 000 corners, text that is not UTF-8 or ASCII, and past the limits of scene_import.hpp.
+ObjFile read_obj_file(const std::filesystem::path& path);
+
+}  // namespace atelier::scene_import
