@@ -212,6 +212,11 @@ TEST_CASE("Targets that cannot be are refused with size and formats") {
       const TargetSpec spec{.width = width, .height = height};
       CHECK(mentions(error_of([&] { Target target(gl, spec); }), {size, "rgba32f", "depth24", "1..16384"}));
     }
+    // Within the sides allowed, and 4 GB: llvmpipe ends at 1 GB a texture (on a GPU this may be possible).
+    const TargetSpec vast{.width = 16384, .height = 16384, .depth = DepthFormat::none};
+    if (mentions(gl.description(), {"llvmpipe"}))
+      CHECK(mentions(error_of([&] { Target target(gl, vast); }), {"16384x16384", "rgba32f", "GL_OUT_OF_MEMORY"}));
+
     const TargetSpec nothing{.colour = ColourFormat::none, .depth = DepthFormat::none};
     CHECK(mentions(error_of([&] { Target target(gl, nothing); }), {"colour none", "depth none"}));
 
