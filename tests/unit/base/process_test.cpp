@@ -111,6 +111,7 @@ TEST_CASE("A child that does not end is killed at the limit, with all that it st
       {"floods", "echo $$; exec yes"},
       {"ignores polite signals", "trap '' TERM INT HUP; echo $$; while :; do sleep 1000; done"},
       {"waits for a grandchild", "sleep 1000 & echo $!; wait"},
+      {"closes its output", "echo $$; exec >&- 2>&-; sleep 1000"},
   };
   for (const Row& row : rows) {
     INFO(row.name);
