@@ -1,0 +1,39 @@
+#include "command.hpp"
+
+#include "base/file.hpp"
+#include "catch.hpp"
+
+namespace atelier::test {
+
+ProjectFolders folders() {
+  return {.root = ATELIER_ROOT, .build = ATELIER_BUILD};
+}
+
+std::vector<CourseStep> course() {
+  return read_course(folders().step_flags());
+}
+
+Finished run_atelier(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), (folders().build / "bin" / "atelier").string());
+  return run_process({.arguments = arguments, .folder = folders().root, .output_limit = 16 << 20});
+}
+
+nlohmann::json grade(const std::filesystem::path& submission, const std::vector<std::string>& options) {
+  const TemporaryFolder out("atelier-steps-test");
+  std::vector<std::string> arguments = {"grade", submission.string(), "--out", out.path().string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  const Finished finished = run_atelier(arguments);
+  INFO(finished.output);
+  REQUIRE(finished.exit_status == 0);
+  return nlohmann::json::parse(read_file(out.path() / "results.json"));
+}
+
+Printed printed(std::vector<std::string> arguments) {
+  arguments.push_back("--json");
+  const Finished finished = run_atelier(arguments);
+  INFO(finished.output);
+  REQUIRE(finished.exit_status != 2);
+  return {nlohmann::json::parse(finished.output), finished.exit_status};
+}
+
+}  // namespace atelier::test

@@ -1,0 +1,31 @@
+// Runs the atelier command as a person does, and reads what it has written.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/process.hpp"
+#include "cli/layout.hpp"
+
+namespace atelier::test {
+
+/// The folders of the project under test. The ones compiled into the command are the same: one CMake made both.
+ProjectFolders folders();
+std::vector<CourseStep> course();
+
+/// The program behind ./atelier; the launcher would build, and the build is running these tests.
+Finished run_atelier(std::vector<std::string> arguments);
+
+/// results.json of `grade SUBMISSION OPTIONS...`, whose exit status must be 0.
+nlohmann::json grade(const std::filesystem::path& submission, const std::vector<std::string>& options = {});
+
+/// What `command ... --json` prints, and its exit status.
+struct Printed {
+  nlohmann::json json;
+  int exit_status = 0;
+};
+Printed printed(std::vector<std::string> arguments);
+
+}  // namespace atelier::test

@@ -1,0 +1,1 @@
+target_link_libraries(unit-cli PRIVATE atelier_commands)

@@ -1,0 +1,122 @@
+#include "cli/layout.hpp"
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "cli/search_path.hpp"
+#include "cli/skeleton_record.hpp"
+
+using namespace atelier;
+using atelier::test::error_of;
+using atelier::test::mentions;
+
+namespace {
+
+const std::vector<CourseStep> course = {{.name = "00-hello"},
+                                        {.name = "01-transforms"},
+                                        {.name = "02-blinn-phong"},
+                                        {.name = "08-post-processing"},
+                                        {.name = "12-gallery"}};
+
+constexpr const char* flags = R"({
+  "compiler": "g++", "compiler_version": "GNU 12", "compile": [], "link": [],
+  "titles": {"02-light": "Light", "01-move": "Move"},
+  "files": {"02-light": ["light.cpp", "light.glsl"], "01-move": ["move.cpp"]},
+  "headers": {"02-light": ["02-light/light.hpp"]},
+  "uses": {"02-light": ["01-move"]}})";
+
+}  // namespace
+
+TEST_CASE("a step is found by number, name and part") {
+  struct Row {
+    const char *text, *name;
+  };
+  for (const Row& row : {Row{"02", "02-blinn-phong"},
+                         {"2", "02-blinn-phong"},
+                         {"0", "00-hello"},
+                         {"12", "12-gallery"},
+                         {"02-blinn-phong", "02-blinn-phong"},
+                         {"phong", "02-blinn-phong"},
+                         {"post", "08-post-processing"}}) {
+    INFO(row.text);
+    CHECK(resolve_step(course, row.text).name == row.name);
+  }
+  CHECK(mentions(error_of([] { resolve_step(course, "blin-phong"); }), {"blin-phong", "none"}));
+  CHECK(mentions(error_of([] { resolve_step(course, "-"); }), {"may be", "00-hello or 01-transforms"}));
+  CHECK(mentions(error_of([] { resolve_step(course, ""); }), {"none"}));
+  CHECK(mentions(error_of([] { resolve_step(course, "99999999999999999999"); }), {"none"}));
+}
+
+TEST_CASE("several steps come in the order of the course, once each") {
+  const auto steps = resolve_steps(course, {"phong", "0", "2"});
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[0].name == "00-hello");
+  CHECK(steps[1].name == "02-blinn-phong");
+  CHECK(resolve_steps(course, {}).size() == course.size());
+}
+
+TEST_CASE("the course is read from what CMake has written") {
+  const TemporaryFolder folder;
+  const auto file = folder.path() / "step_flags.json";
+  write_file(file, std::string_view(flags));
+  const auto steps = read_course(file);
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[0].name == "01-move");
+  CHECK(steps[0].uses.empty());
+  CHECK(steps[1].title == "Light");
+  CHECK(steps[1].number() == "02");
+  CHECK(steps[1].files == std::vector<std::string>{"light.cpp", "light.glsl"});
+  CHECK(steps[1].uses == std::vector<std::string>{"01-move"});
+
+  write_file(file, std::string_view(R"({"files": {"01-move": ["a.cpp"]}, "titles": {}, "headers": {}, "uses": {}})"));
+  CHECK(mentions(error_of([&] { read_course(file); }), {"step_flags.json", "titles", "01-move"}));
+  write_file(file, std::string_view("[1]"));
+  CHECK(mentions(error_of([&] { read_course(file); }), {"step_flags.json", "object"}));
+}
+
+TEST_CASE("the search path has the code under judgement in front, for its own step alone") {
+  const TemporaryFolder root;
+  const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
+  for (const char* name : {"steps/01-move", "steps/02-light", "solutions/01-move", "theirs/02-light"})
+    std::filesystem::create_directories(root.path() / name);
+  const CourseStep step{.name = "02-light", .uses = {"01-move"}};
+  const std::vector<CourseStep> two = {{.name = "01-move", .files = {"move.cpp"}}, step};
+
+  const Owners solution = choose_owners(folders, two, step, "");
+  CHECK(solution.at("01-move") == Owner::solution);  // nothing has passed yet
+  CHECK(choose_owners(folders, two, step, "mine").at("01-move") == Owner::mine);
+  CHECK(mentions(error_of([&] { choose_owners(folders, two, step, "theirs"); }), {"theirs", "mine or solution"}));
+
+  const Implementations path =
+      search_path(folders, "02-light", {root.path() / "theirs", root.path() / "not-there"}, solution);
+  write_file(root.path() / "theirs/02-light/a.glsl", std::string_view("theirs"));
+  write_file(root.path() / "theirs/01-move/a.glsl", std::string_view("an earlier step is not theirs to replace"));
+  write_file(root.path() / "solutions/01-move/a.glsl", std::string_view("solution"));
+  CHECK(path.find("02-light/a.glsl") == root.path() / "theirs/02-light/a.glsl");
+  CHECK(path.find("01-move/a.glsl") == root.path() / "solutions/01-move/a.glsl");
+
+  std::filesystem::remove_all(root.path() / "solutions");
+  CHECK(choose_owners(folders, two, step, "solution").at("01-move") == Owner::mine);  // the solution is not here
+  CHECK(in_words(solution, "02-light", "yours") ==
+        std::map<std::string, std::string>{{"01-move", "solution"}, {"02-light", "yours"}});
+}
+
+TEST_CASE("an edited skeleton is told from an untouched one") {
+  const TemporaryFolder steps;
+  write_file(steps.path() / "01-move/move.cpp", std::string_view("abc"));
+  // The digest of "abc" from FIPS 180-4's own example.
+  const SkeletonRecord record = {
+      {"01-move/move.cpp", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"}};
+  CHECK(read_skeleton_record(steps.path()).empty());
+  write_skeleton_record(steps.path(), record);
+  CHECK(read_skeleton_record(steps.path()) == record);
+  CHECK(skeleton_state(steps.path(), record, "01-move/move.cpp") == SkeletonState::untouched);
+  write_file(steps.path() / "01-move/move.cpp", std::string_view("abcd"));
+  CHECK(skeleton_state(steps.path(), record, "01-move/move.cpp") == SkeletonState::edited);
+  CHECK(skeleton_state(steps.path(), record, "01-move/other.cpp") == SkeletonState::missing);
+
+  for (const char* broken : {"abc  x\n", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad x\n",
+                             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad  \n"}) {
+    write_file(steps.path() / "skeletons.sha256", std::string_view(broken));
+    CHECK(mentions(error_of([&] { read_skeleton_record(steps.path()); }), {"skeletons.sha256:1", "SHA-256"}));
+  }
+}

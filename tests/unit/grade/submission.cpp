@@ -1,0 +1,180 @@
+#include "grade/submission.hpp"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <unistd.h>
+
+#include <memory>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "grade/unzip.hpp"
+
+using namespace atelier;
+using namespace atelier::grade;
+using atelier::test::error_of;
+using atelier::test::mentions;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Member {
+  std::string name, bytes;
+  std::string link = {};  ///< makes it a symbolic link to this
+};
+
+/// Writes a ZIP with libarchive, names as they are: also those that no decent program would write.
+void write_zip(const fs::path& file, const std::vector<Member>& members) {
+  const std::unique_ptr<archive, int (*)(archive*)> out(archive_write_new(), archive_write_free);
+  archive_write_set_format_zip(out.get());
+  REQUIRE(archive_write_open_filename(out.get(), file.c_str()) == ARCHIVE_OK);
+  for (const Member& member : members) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(), archive_entry_free);
+    archive_entry_set_pathname(entry.get(), member.name.c_str());
+    archive_entry_set_perm(entry.get(), 0644);
+    archive_entry_set_size(entry.get(), la_int64_t(member.bytes.size()));
+    archive_entry_set_filetype(entry.get(), member.link.empty() ? AE_IFREG : AE_IFLNK);
+    if (!member.link.empty()) archive_entry_set_symlink(entry.get(), member.link.c_str());
+    REQUIRE(archive_write_header(out.get(), entry.get()) >= ARCHIVE_WARN);
+    if (member.link.empty()) archive_write_data(out.get(), member.bytes.data(), member.bytes.size());
+  }
+  REQUIRE(archive_write_close(out.get()) == ARCHIVE_OK);
+}
+
+const std::set<std::string> wanted = {"01-move/move.cpp", "02-light/light.glsl"};
+const judge::StepFlags flags{.files = {{"01-move", {"move.cpp"}}, {"02-light", {"light.cpp", "light.glsl"}}}};
+
+}  // namespace
+
+TEST_CASE("only the wanted members of a ZIP are read") {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "a.zip";
+  using Found = std::map<std::string, std::string>;
+  struct Row {
+    const char* name;
+    std::vector<Member> members;
+    Found found;
+  };
+  const Row rows[] = {
+      {"plain",
+       {{"01-move/move.cpp", "int a;"}, {"02-light/light.glsl", "b"}},
+       {{"01-move/move.cpp", "int a;"}, {"02-light/light.glsl", "b"}}},
+      {"one folder in front", {{"ada/01-move/move.cpp", "a"}}, {{"01-move/move.cpp", "a"}}},
+      {"others are left alone",
+       {{"01-move/CMakeLists.txt", "x"}, {"README", "x"}, {"01-move/move.cpp", "a"}},
+       {{"01-move/move.cpp", "a"}}},
+      {"two folders in front", {{"a/b/01-move/move.cpp", "a"}}, {}},
+      {"climbing out", {{"../../01-move/move.cpp", "a"}, {"/etc/passwd", "a"}, {"x/../01-move/move.cpp", "a"}}, {}},
+      {"a link", {{"01-move/move.cpp", "", "/etc/passwd"}}, {}},
+      {"an empty file", {{"01-move/move.cpp", ""}}, {{"01-move/move.cpp", ""}}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    write_zip(zip, row.members);
+    CHECK(read_zip(zip, wanted) == row.found);
+  }
+}
+
+TEST_CASE("archives that cost too much or make no sense are refused") {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "a.zip";
+  const std::string text(100'000, 'x');  // deflates to a thousandth
+  struct Row {
+    const char* name;
+    std::vector<Member> members;
+    ZipLimits limits;
+    const char* why;
+  };
+  const Row rows[] = {
+      {"twice", {{"a/01-move/move.cpp", "a"}, {"a/01-move/move.cpp", "b"}}, {}, "twice"},
+      {"two submissions", {{"a/01-move/move.cpp", "a"}, {"b/02-light/light.glsl", "b"}}, {}, "two folders"},
+      {"a large member", {{"01-move/move.cpp", text}}, {.member_bytes = 99'999, .ratio = 1e6}, "too large"},
+      {"large together",
+       {{"01-move/move.cpp", text}, {"02-light/light.glsl", text}},
+       {.total_bytes = 150'000, .ratio = 1e6},
+       "together"},
+      {"a bomb", {{"01-move/move.cpp", text}}, {.ratio = 100}, "inflates"},
+      {"many members", {{"a", ""}, {"b", ""}, {"c", ""}}, {.members = 2}, "more than 2 members"},
+      {"a large archive", {{"01-move/move.cpp", "a"}}, {.archive_bytes = 10}, "too large"},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    write_zip(zip, row.members);
+    CHECK(mentions(error_of([&] { read_zip(zip, wanted, row.limits); }), {"a.zip", row.why}));
+  }
+}
+
+TEST_CASE("files that are no archive, or only a part of one, are refused") {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "a.zip";
+  write_zip(zip, {{"01-move/move.cpp", std::string(5000, 'a') + std::string(5000, 'b')}});
+  const std::string whole = read_file(zip);
+  for (const std::size_t bytes : {std::size_t(0), std::size_t(1), whole.size() / 2, whole.size() - 1}) {
+    INFO(bytes);
+    write_file(zip, std::string_view(whole).substr(0, bytes));
+    CHECK(mentions(error_of([&] { read_zip(zip, wanted); }), {"a.zip"}));
+  }
+  // Any single byte changed: an error or the right bytes, never wrong ones (each member has a checksum) and no crash.
+  const std::map<std::string, std::string> right = {
+      {"01-move/move.cpp", std::string(5000, 'a') + std::string(5000, 'b')}};
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string broken = whole;
+    broken[i] = char(broken[i] ^ 0x55);
+    write_file(zip, std::string_view(broken));
+    try {
+      const auto found = read_zip(zip, wanted);
+      CHECK((found.empty() || found == right));
+    } catch (const Error&) {
+    }
+  }
+  CHECK(mentions(error_of([&] { read_zip(folder.path() / "none.zip", wanted); }), {"none.zip"}));
+  CHECK(mentions(error_of([&] { read_zip(folder.path(), wanted); }), {"regular file"}));
+}
+
+TEST_CASE("a submission is the listed files, copied") {
+  const TemporaryFolder folder;
+  const fs::path theirs = folder.path() / "ada";
+  write_file(theirs / "01-move/move.cpp", std::string_view("int a;"));
+  write_file(theirs / "01-move/CMakeLists.txt", std::string_view("execute_process(COMMAND rm)"));
+  write_file(theirs / "02-light/light.glsl", std::string_view("b"));
+  fs::create_symlink("/etc/passwd", theirs / "02-light/light.cpp");
+
+  const Submission taken = take_submission(flags, theirs, folder.path() / "copy");
+  CHECK(taken.name == "ada");
+  CHECK(taken.present == std::set<std::string>{"01-move", "02-light"});
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "int a;");
+  CHECK(fs::exists(taken.folder / "02-light/light.glsl"));
+  CHECK(!fs::exists(taken.folder / "01-move/CMakeLists.txt"));
+  CHECK(!fs::exists(taken.folder / "02-light/light.cpp"));
+}
+
+TEST_CASE("a step whose folder is a link was not handed in") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "solution/01-move/move.cpp", std::string_view("int a;"));
+  fs::create_directories(folder.path() / "ada/02-light");
+  fs::create_directory_symlink(folder.path() / "solution/01-move", folder.path() / "ada/01-move");
+  const Submission taken = take_submission(flags, folder.path() / "ada", folder.path() / "copy");
+  CHECK(taken.present == std::set<std::string>{"02-light"});
+}
+
+TEST_CASE("an archive becomes the same as its folder") {
+  const TemporaryFolder folder;
+  write_zip(folder.path() / "ada.zip", {{"ada/01-move/move.cpp", "int a;"}, {"ada/notes.txt", "x"}});
+  const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
+  CHECK(taken.name == "ada");
+  CHECK(taken.present == std::set<std::string>{"01-move"});
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "int a;");
+}
+
+TEST_CASE("what holds no step is refused") {
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path() / "empty");
+  write_zip(folder.path() / "other.zip", {{"README", "x"}});
+  const auto take = [&](const char* name) {
+    return error_of([&] { take_submission(flags, folder.path() / name, folder.path() / "copy"); });
+  };
+  CHECK(mentions(take("empty"), {"empty", "none of the steps", "01-move"}));
+  CHECK(mentions(take("other.zip"), {"other.zip", "none of the steps"}));
+  CHECK(mentions(take("nowhere"), {"nowhere", "no such"}));
+}
