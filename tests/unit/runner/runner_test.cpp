@@ -2,7 +2,7 @@
 #include "judge/runner.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -68,6 +68,7 @@ TEST_CASE("each misdeed fails its own case and no other") {
       {"floods", Ended::normally, "", false},
       {"leaves a child", Ended::normally, "", false},
       {"ends others", Ended::normally, "", false},
+      {"ends a long line", Ended::normally, "", false},
       {"crashes at exit", Ended::normally, "", false},
       {"stops between cases", Ended::normally, "", true},
       {"nothing", Ended::missing, "", false},
@@ -138,13 +139,19 @@ TEST_CASE("a program that cannot begin fails every case with its own words") {
     RunSettings s = settings();
     s.workers = 2;
     s.environment["FAKE_START"] = row.start;
-    if (row.ended == Ended::timeout) s.start_limit = 300ms;
+    if (row.ended == Ended::timeout) s.start_limit = 300ms, s.case_limit = 1h;
     for (const Answer& answer : run_cases(s, make_cases({"honest", "honest", "honest"}))) {
       CHECK(to_string(answer.ended) == to_string(row.ended));
       CHECK(has_all(answer.error, {row.word}));
       CHECK(!has_all(answer.error, {"error: "}));
     }
   }
+}
+
+TEST_CASE("the limit of the start is none of a case") {
+  RunSettings s = settings();
+  s.start_limit = 1h, s.case_limit = 300ms;
+  CHECK(to_string(run_cases(s, make_cases({"hangs"}))[0].ended) == "timeout");
 }
 
 TEST_CASE("a program that will not leave is not waited for long") {
@@ -251,6 +258,28 @@ TEST_CASE("a program inherits none of our descriptors") {
   const auto answers = run_cases(settings(), make_cases({"honest"}));
   REQUIRE(answers[0].pixels);
   CHECK(answers[0].pixels->at(0, 0).g == 1);
+}
+
+TEST_CASE("what a program has started ends with it") {
+  for (const char* scene : {"leaves a child", "leaves a child, exits", "leaves a child, hangs"}) {
+    INFO(scene);
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "lock").string();
+    write_file(file, "");
+    RunSettings s = settings();
+    s.environment["FAKE_LOCK"] = file;
+    s.case_limit = 400ms;
+    run_cases(s, make_cases({scene}));
+    const Descriptor lock(::open(file.c_str(), O_RDWR | O_CLOEXEC));
+    // A killed process lets go of its lock when the system gets round to it: within milliseconds. A living one never
+    // does.
+    bool free = false;
+    for (int tries = 0; tries < 500 && !free; ++tries) {
+      free = ::flock(lock.get(), LOCK_EX | LOCK_NB) == 0;
+      if (!free) ::usleep(10'000);
+    }
+    CHECK(free);
+  }
 }
 
 TEST_CASE("an exception of the listener ends the run and every program") {

@@ -2,6 +2,7 @@
 // FAKE_START what to do before the first one. An honest picture holds, in its first pixel's red, the case's number
 // within the process, and in green whether the process was given nothing but its own descriptors.
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -68,6 +69,15 @@ void print(const Case& c) {
 void flood() {
   const std::string line(1000, '!');
   for (int i = 0; i < 20'000; ++i) std::cout << line << '\n';  // 20 MB: a pipe that nobody empties holds 64 KiB
+}
+
+/// Starts a child that never ends, and holds the lock on FAKE_LOCK while it lives.
+void leave_child() {
+  const char* path = std::getenv("FAKE_LOCK");
+  const int lock = path ? ::open(path, O_RDWR | O_CLOEXEC) : -1;
+  if (lock >= 0) ::flock(lock, LOCK_EX);
+  if (::fork() == 0) hang();
+  if (lock >= 0) ::close(lock);
 }
 
 /// What a scene's name stands for. A deed that returns is followed by "end".
@@ -159,6 +169,14 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
          std::this_thread::sleep_for(std::chrono::milliseconds(50));  // until the lie has been heard
          draw(c, file);
        }},
+      {"ends a long line",
+       [](const Case& c, const fs::path& file) {
+         tell(std::string(200, 'y'));
+         std::this_thread::sleep_for(std::chrono::milliseconds(50));  // until its first half has been heard
+         tell("end " + c.name + "\n");
+         std::this_thread::sleep_for(std::chrono::milliseconds(50));
+         draw(c, file);
+       }},
       {"ends others",
        [](const Case& c, const fs::path& file) {
          tell("end honest\nend last\nbegin last\nend last\n" + std::string(100'000, 'y') + "\nend last\n");
@@ -166,13 +184,18 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
        }},
       {"leaves a child",
        [](const Case& c, const fs::path& file) {
-         if (::fork() == 0) hang();
+         leave_child();
          draw(c, file);
        }},
       {"leaves a child, exits",
        [](const Case&, const fs::path&) {
-         if (::fork() == 0) hang();
+         leave_child();
          std::_Exit(0);
+       }},
+      {"leaves a child, hangs",
+       [](const Case&, const fs::path&) {
+         leave_child();
+         hang();
        }},
       {"hangs at exit",
        [](const Case& c, const fs::path& file) {
