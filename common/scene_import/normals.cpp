@@ -35,25 +35,37 @@ Around facets_around(std::size_t positions, const std::vector<Facet>& facets) {
   return around;
 }
 
+/// The angle of a triangle at corner a, in radians; 0 where the triangle has no area.
+double corner_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  const double sine = glm::length(area_normal(a, b, c));
+  return sine == 0 ? 0 : std::atan2(sine, glm::dot(b - a, c - a));
+}
+
+int place_in(const Facet& facet, std::uint32_t corner) {
+  return facet.corners[0] == corner ? 0 : facet.corners[1] == corner ? 1 : 2;
+}
+
 }  // namespace
 
 std::vector<std::array<glm::vec3, 3>> facet_normals(const std::vector<glm::vec3>& positions,
                                                     const std::vector<Facet>& facets) {
-  std::vector<glm::dvec3> area(facets.size());
   std::vector<glm::vec3> unit(facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const auto& [a, b, c] = facets[f].corners;
-    area[f] = area_normal(positions[a], positions[b], positions[c]);
-    unit[f] = direction_or_up(area[f]);
-  }
-  const Around around = facets_around(positions.size(), facets);
+  std::vector<std::array<float, 3>> angles(facets.size());
   std::vector<glm::dvec3> all(positions.size(), glm::dvec3(0));
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (const std::uint32_t p : facets[f].corners) all[p] += area[f];
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const auto& corners = facets[f].corners;
+    const glm::dvec3 p[3] = {positions[corners[0]], positions[corners[1]], positions[corners[2]]};
+    unit[f] = direction_or_up(area_normal(p[0], p[1], p[2]));
+    for (int i = 0; i < 3; ++i) {
+      angles[f][i] = float(corner_angle(p[i], p[(i + 1) % 3], p[(i + 2) % 3]));
+      all[corners[i]] += double(angles[f][i]) * glm::dvec3(unit[f]);
+    }
+  }
 
   // Looking at every neighbour of every neighbour takes the square of how many meet at a corner. Hundreds meet at the
   // tip of a cone; where even more do, all are averaged.
   constexpr std::size_t most_neighbours = 512;
+  const Around around = facets_around(positions.size(), facets);
   std::vector<std::array<glm::vec3, 3>> normals(facets.size());
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (int i = 0; i < 3; ++i) {
@@ -68,7 +80,8 @@ std::vector<std::array<glm::vec3, 3>> facet_normals(const std::vector<glm::vec3>
       for (std::size_t k = begin; k < end; ++k) {
         const std::uint32_t other = around.list[k];
         const bool bends_little = glm::dot(unit[f], unit[other]) > 0.5f;  // cos 60 degrees
-        if (facets[other].smoothing == group && (group > 0 || bends_little)) sum += area[other];
+        if (facets[other].smoothing == group && (group > 0 || bends_little))
+          sum += double(angles[other][place_in(facets[other], corner)]) * glm::dvec3(unit[other]);
       }
       normals[f][i] = sum == glm::dvec3(0) ? unit[f] : direction_or_up(sum);
     }

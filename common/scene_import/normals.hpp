@@ -17,8 +17,9 @@ struct Facet {
   int smoothing = 0;
 };
 
-/// One unit normal for each corner of each facet: the mean of the facets that share it, weighted by their areas. Where
-/// none of them has an area: +y.
+/// One unit normal for each corner of each facet: the mean of the facets that share it, each weighted by its angle
+/// there, so that it does not matter how a polygon was cut into triangles (Thurmer and Wuthrich, "Computing vertex
+/// normals from polygonal facets", 1998). Where none of them has an area: +y.
 std::vector<std::array<glm::vec3, 3>> facet_normals(const std::vector<glm::vec3>& positions,
                                                     const std::vector<Facet>& facets);
 

@@ -34,6 +34,7 @@ void complete(Scene& scene, bool has_camera) {
   if (!scene.lights.empty()) return;
   scene.lights.push_back(scene_import::key_light(scene.camera));
   scene.ambient = glm::vec3(0.12f);
+  scene.background = glm::vec3(0.16f);  // grey: neither dark nor light models vanish before it
 }
 
 bool has_triangles(const Scene& scene) {

@@ -74,7 +74,8 @@ std::optional<float> TextLines::number() {
   double value = 0;
   const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (problem == std::errc::result_out_of_range) return std::numeric_limits<float>::infinity();
-  if (problem != std::errc() || end == digits.data()) fail(fmt::format("'{}' is no number", text.substr(0, 40)));
+  if (problem != std::errc() || end != digits.data() + digits.size())
+    fail(fmt::format("'{}' is no number", text.substr(0, 40)));
   return float(value);
 }
 
