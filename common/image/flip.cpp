@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <thread>
+#include <future>
 #include <vector>
 
 #include "base/error.hpp"
@@ -286,11 +286,11 @@ Flip flip(const Image& reference, const Image& test, const FlipOptions& options)
     for (std::size_t i; (i = next++) < tiles.size();)
       sums[i] = compare_tile(reference, test, plan, options.encoding == Encoding::srgb, tiles[i], result.map);
   };
-  {
-    std::vector<std::jthread> helpers;
-    for (int i = 1; i < options.threads; ++i) helpers.emplace_back(work);
-    work();
-  }
+  // A future brings a helper's exception (no memory left) back here, and is waited for before anything is destroyed.
+  std::vector<std::future<void>> helpers;
+  for (int i = 1; i < options.threads; ++i) helpers.push_back(std::async(std::launch::async, work));
+  work();
+  for (auto& helper : helpers) helper.get();
   for (double sum : sums) result.mean += sum;
   result.mean /= double(reference.width()) * reference.height();
   return result;

@@ -40,6 +40,8 @@ auto guarded(Work work) -> decltype(work()) {
     throw Error("there is not enough memory for it");
   } catch (const std::exception& error) {
     throw Error(one_line(error.what()));
+  } catch (...) {
+    throw Error("the decoder failed without a reason");
   }
 }
 

@@ -1,4 +1,4 @@
-// What the module atelier-image-io gives to image_io.cpp, and nobody else: bytes to samples and back.
+// What the module atelier-image-io gives to read.cpp and write.cpp, and to nobody else: bytes to samples and back.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,8 @@ struct Limits {
   std::size_t pixels = 0;
 };
 
-/// All of them throw Error with a reason that does not name the file; the caller does. Formats are OpenImageIO's names.
+/// All of them throw Error with a reason that does not name the file; the caller does.
+/// Formats are OpenImageIO's names when reading ("openexr"), a file's ending when writing ("exr").
 struct Module {
   /// At most the first four channels of the first picture in the file.
   Samples (*decode)(std::span<const std::byte> file, const std::string& format, const Limits& limits);
