@@ -127,6 +127,16 @@ std::vector<std::string> compile_options(const StepFlags& flags, const std::stri
   return options;
 }
 
+/// What the compiler's own list of dependencies leaves out: the headers that the options include, precompiled or not.
+std::vector<std::string> included_by_options(const StepFlags& flags) {
+  std::vector<std::string> headers;
+  for (std::size_t i = 1; i < flags.compile.size(); ++i)
+    if (flags.compile[i - 1] == "-include")
+      for (const std::string& header : {flags.compile[i], flags.compile[i] + ".gch"})
+        if (fs::exists(header)) headers.push_back(header);
+  return headers;
+}
+
 /// One .cpp file into one object.
 Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
                 const fs::path& objects, milliseconds time_limit) {
@@ -145,7 +155,9 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
 
   // What was edited while the compiler ran is not what the object is made of: then no record, and the next build asks
   // the compiler again.
-  const Inputs inputs = fingerprints(read_dependencies(dependencies), sources);
+  std::vector<std::string> read = included_by_options(flags);
+  append(read, read_dependencies(dependencies));
+  const Inputs inputs = fingerprints(read, sources);
   const bool steady = std::all_of(inputs.begin(), inputs.end(), [&](const auto& input) {
     if (input.first == source) return input == before.front();
     std::error_code error;

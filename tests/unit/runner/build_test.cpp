@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "catch.hpp"
 #include "judge/build_record.hpp"
 #include "words.hpp"
@@ -122,6 +123,28 @@ TEST_CASE("a student's files become a library, and only what changed is built ag
     course.build();
     CHECK(!course.build().fresh);
   }
+}
+
+TEST_CASE("a header that was precompiled anew is noticed") {
+  Course course;
+  const std::string prelude = (course.folder.path() / "prelude.hpp").string();
+  std::vector<std::string> command = {course.flags.compiler};
+  command.insert(command.end(), course.flags.compile.begin(), course.flags.compile.end());
+  command.insert(command.end(), {"-x", "c++-header", prelude, "-o", prelude + ".gch"});
+  const auto precompile = [&](const std::string& text) {
+    write_file(prelude, text);
+    REQUIRE(run_process({.arguments = command}).ok());
+  };
+  precompile("#include <vector>\n#define TWO 2\n");
+  course.flags.compile.insert(course.flags.compile.end(), {"-include", prelude});
+  course.write("sum.cpp", "#include \"sums.hpp\"\nint sum(int a, int b) { return a + b + TWO; }\n");
+  REQUIRE(course.build().ok);
+  CHECK(call_sum(course.library) == 7);
+  CHECK(!course.build().fresh);
+
+  precompile("#include <vector>\n#include <array>\n#define TWO 3\n");
+  CHECK(course.build().fresh);
+  CHECK(call_sum(course.library) == 8);
 }
 
 TEST_CASE("warnings are told again by a build that has nothing to do") {
