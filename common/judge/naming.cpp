@@ -38,12 +38,12 @@ Range range_of(const Image& reference, int channel) {
 // --- What a mistake does to a pixel of a given value ---
 
 constexpr int value_bins = 8;  ///< of the right picture: few, so that each has many pixels
-constexpr int levels = 64;     ///< of the wrong picture: four levels of 255 each, the size of a visible step
+constexpr int steps = 255;     ///< from the wrong picture to the right one, -1..1: two levels of 255 each
 
-/// For each channel and value of the right picture, how often the wrong one shows which level there.
+/// For each channel and value of the right picture, how often the wrong one differs by which step there.
 struct Effect {
-  std::array<std::array<std::array<double, levels>, value_bins>, 3> share{};  ///< of all pixels
-  std::array<std::array<double, value_bins>, 3> weight{};                     ///< sum over the levels
+  std::array<std::array<std::array<double, steps>, value_bins>, 3> share{};  ///< of all pixels
+  std::array<std::array<double, value_bins>, 3> weight{};                    ///< sum over the steps
 };
 
 int bin_of(float value, int bins) {
@@ -55,21 +55,22 @@ Effect effect_of(const Image& right, const Image& wrong) {
   const double one = 1.0 / double(right.pixels().size());
   for (std::size_t i = 0; i < right.pixels().size(); ++i)
     for (int channel = 0; channel < 3; ++channel) {
-      const int value = bin_of(channel_of(right.pixels()[i], channel), value_bins);
-      effect.share[channel][value][bin_of(channel_of(wrong.pixels()[i], channel), levels)] += one;
+      const float expected = channel_of(right.pixels()[i], channel), shown = channel_of(wrong.pixels()[i], channel);
+      const int value = bin_of(expected, value_bins);
+      effect.share[channel][value][bin_of(0.5f + 0.5f * (shown - expected), steps)] += one;
       effect.weight[channel][value] += one;
     }
   return effect;
 }
 
-/// First Wasserstein distance of two distributions over the same levels: the area between their cumulative sums.
-double wasserstein(const std::array<double, levels>& a, double weight_a, const std::array<double, levels>& b,
+/// First Wasserstein distance of two distributions over the same steps: the area between their cumulative sums.
+double wasserstein(const std::array<double, steps>& a, double weight_a, const std::array<double, steps>& b,
                    double weight_b) {
   double sum_a = 0, sum_b = 0, area = 0;
-  for (int level = 0; level < levels; ++level) {
-    sum_a += a[level] / weight_a;
-    sum_b += b[level] / weight_b;
-    area += std::abs(sum_a - sum_b) / levels;
+  for (int step = 0; step < steps; ++step) {
+    sum_a += a[step] / weight_a;
+    sum_b += b[step] / weight_b;
+    area += std::abs(sum_a - sum_b) / steps;
   }
   return area;
 }
@@ -90,10 +91,10 @@ double distance_of(const Effect& a, const Effect& b) {
 
 Candidate candidate(const Image& yours, const Image& reference, const AtlasPicture& entry) {
   if (entry.same_view && entry.picture.same_size(yours))
-    return {entry.mistake, overlaid_distance(yours, entry.picture), overlaid_distance(yours, reference)};
+    return {entry.mistake, overlaid_distance(yours, entry.picture), overlaid_distance(yours, reference), true};
   const Effect effect = effect_of(reference, yours);
   return {entry.mistake, distance_of(effect, effect_of(entry.reference, entry.picture)),
-          distance_of(effect, effect_of(reference, reference))};
+          distance_of(effect, effect_of(reference, reference)), false};
 }
 
 /// 0 on the mistake, 1 and more where the reference is as near.
@@ -150,7 +151,9 @@ std::vector<Candidate> rank_mistakes(const Image& yours, const Image& reference,
 }
 
 std::optional<Candidate> recognised(const std::vector<Candidate>& ranked) {
-  if (ranked.empty() || nearness(ranked[0]) > nearer_than_reference) return std::nullopt;
+  if (ranked.empty()) return std::nullopt;
+  const double allowed = ranked[0].same_view ? nearer_than_reference : nearer_than_reference_elsewhere;
+  if (nearness(ranked[0]) > allowed) return std::nullopt;
   if (ranked.size() > 1) {
     const double second = nearness(ranked[1]);
     if (second < told_apart || nearness(ranked[0]) > nearer_than_second * second) return std::nullopt;

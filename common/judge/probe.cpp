@@ -40,7 +40,8 @@ double times_tolerance(double yours, double expected, const Tolerance& tolerance
   const auto ratio = [](double off, double allowed) { return allowed > 0 ? off / allowed : infinity; };
   const double by_size =
       ratio(std::abs(yours - expected), tolerance.absolute + tolerance.relative * std::abs(expected));
-  if (tolerance.ulp <= 0) return by_size;
+  const bool floats = std::isfinite(float(yours)) && std::isfinite(float(expected));
+  if (tolerance.ulp <= 0 || !floats) return by_size;
   const double by_rank = double(std::abs(float_rank(yours) - float_rank(expected))) / tolerance.ulp;
   return std::min(by_size, by_rank);
 }

@@ -62,7 +62,7 @@ StepReferences::StepReferences(std::string step, std::vector<Mistake> mistakes, 
     : step_(std::move(step)), mistakes_(std::move(mistakes)), folder_(std::move(folder)), cache_(std::move(cache)) {}
 
 void StepReferences::add(const std::string& case_name, CaseReferences references, CaseAtlas atlas) {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(*mutex_);
   references_[case_name] = std::move(references);
   atlases_[case_name] = std::move(atlas);
 }
@@ -73,14 +73,14 @@ const Mistake* StepReferences::mistake(const std::string& name) const {
 }
 
 const CaseReferences& StepReferences::of(const JudgedCase& c) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(*mutex_);
   const auto found = references_.find(c.ask.name);
   if (found != references_.end()) return found->second;
   return references_.emplace(c.ask.name, load(c)).first->second;
 }
 
 const CaseAtlas& StepReferences::atlas(const JudgedCase& c) const {
-  const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(*mutex_);
   const auto found = atlases_.find(c.ask.name);
   if (found != atlases_.end()) return found->second;
   return atlases_.emplace(c.ask.name, load_atlas(c)).first->second;

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -63,7 +64,8 @@ class StepReferences {
   std::string step_;
   std::vector<Mistake> mistakes_;
   std::filesystem::path folder_, cache_;
-  mutable std::recursive_mutex mutex_;  // an atlas asks for its reference while it is being read
+  // Recursive: an atlas asks for its reference while it is being read. Held apart, so that the whole can be moved.
+  std::unique_ptr<std::recursive_mutex> mutex_ = std::make_unique<std::recursive_mutex>();
   mutable std::map<std::string, CaseReferences> references_;
   mutable std::map<std::string, CaseAtlas> atlases_;
 };

@@ -60,6 +60,7 @@ std::string colour_direction(const Tendency& t) {
   return "";
 }
 
+/// "37 % of the pixels", "12 of 65 536 pixels".
 std::string how_many(const Measurement& measured) {
   if (measured.difference.share >= 0.01) return percent(measured.difference.share) + " of the pixels";
   return fmt::format("{} of {} pixels", grouped(measured.difference.over), grouped(measured.pixels));
@@ -90,8 +91,10 @@ std::string colour_failure(const Measurement& measured, const Image& yours, cons
                            const JudgedCase& c) {
   const std::string direction = colour_direction(tendency_of(measured.difference.mask, yours, reference));
   const std::string off = amount(measured.difference.worst_distance, c.unit);
-  if (direction.empty()) return fmt::format("{} have a wrong colour, off by up to {}", how_many(measured), off);
-  return fmt::format("{} are {} by up to {}", how_many(measured), direction, off);
+  const bool one = measured.difference.over == 1;
+  if (direction.empty())
+    return fmt::format("{} {} a wrong colour, off by up to {}", how_many(measured), one ? "has" : "have", off);
+  return fmt::format("{} {} {} by up to {}", how_many(measured), one ? "is" : "are", direction, off);
 }
 
 std::string data_failure(const Measurement& measured, const Image& yours, const Image& reference, const JudgedCase& c) {

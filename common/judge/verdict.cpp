@@ -192,7 +192,8 @@ void stop_at_gate(CaseResult& result, const GateFailure& stopped, const JudgedCa
   match.yours = compared_form(with_non_finite_marked(yours), c);
   match.reference = compared_form(right, c);
   match.measured.pixels = int(right.pixels().size());
-  match.measured.difference = compare_strict(yours, right, Measure::number, std::numeric_limits<float>::max());
+  constexpr double no_finite_difference = 1e30;  // so that only what is not finite is over it
+  match.measured.difference = compare_strict(yours, right, Measure::number, no_finite_difference);
   std::optional<Image> mistake_picture;
   if (stopped.kind == GateFailure::Kind::single_colour) {
     match.measured = measure(match.yours, match.reference, c);

@@ -1,0 +1,138 @@
+#include "judge/probe.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "catch.hpp"
+#include "judge/verdict.hpp"
+#include "synthetic.hpp"
+
+namespace atelier::judge::test {
+namespace {
+
+using atelier::test::mentions;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+TEST_CASE("a number is right within its absolute, relative or ulp tolerance") {
+  struct Row {
+    const char* name;
+    double yours, expected;
+    Tolerance tolerance;
+    bool right;
+  };
+  const float next = std::nextafter(1.0f, 2.0f);
+  const Row rows[]{
+      {"equal, nothing tolerated", 0.1, 0.1, {}, true},
+      {"nearly equal, nothing tolerated", 0.1, 0.1000001, {}, false},
+      {"at the absolute border", 1.5, 1.0, {0.5, 0, 0, ""}, true},
+      {"past it", 1.5625, 1.0, {0.5, 0, 0, ""}, false},
+      {"relative", -1010, -1000, {0, 0.01, 0, ""}, true},
+      {"relative to zero is nothing", 1e-9, 0, {0, 0.01, 0, ""}, false},
+      {"both add up", 112, 100, {2, 0.1, 0, ""}, true},
+      {"one float apart", double(next), 1.0, {0, 0, 1, ""}, true},
+      {"two floats apart", double(std::nextafter(next, 2.0f)), 1.0, {0, 0, 1, ""}, false},
+      {"floats across zero", 1e-45, -1e-45, {0, 0, 2, ""}, true},
+      {"minus zero", -0.0, 0.0, {}, true},
+      {"NaN for a number", nan, 1, {1e9, 1e9, 1 << 30, ""}, false},
+      {"a number for NaN", 1, nan, {1e9, 1e9, 1 << 30, ""}, false},
+      {"NaN for NaN", nan, nan, {}, true},
+      {"infinity for infinity", infinity, infinity, {}, true},
+      {"the other infinity", -infinity, infinity, {1e9, 0, 1 << 30, ""}, false},
+      {"infinity for a number", infinity, 1, {0, 1, 1 << 30, ""}, false},
+      {"a large number for infinity", 1e300, infinity, {0, 1, 1 << 30, ""}, false},
+      {"beyond the range of floats", 1e300, 1e299, {0, 0, 4, ""}, false},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    CHECK(within(row.yours, row.expected, row.tolerance) == row.right);
+    CHECK((times_tolerance(row.yours, row.expected, row.tolerance) <= 1) == row.right);
+  }
+}
+
+JudgedCase probe_case() {
+  JudgedCase c;
+  c.ask.name = "normal-matrix";
+  c.ask.probe = "normal_matrix";
+  c.profile = Profile::values;
+  c.points = 4;
+  c.tolerance = {1e-4, 0, 0, "a few roundings"};
+  for (double x : {1.0, 2.0, 3.0, 4.0}) {
+    Arguments input;
+    input.values["x"] = {x};
+    c.ask.inputs.push_back(input);
+  }
+  c.expected = {{1, 1}, {2, 4}, {3, 9}, {4, 16}};
+  return c;
+}
+
+StepReferences references_of(const JudgedCase& c) {
+  StepReferences references("01-transforms");
+  CaseReferences right;
+  right.values = c.expected;
+  references.add(c.ask.name, right, {{}, {{"no-square", {{1, 1}, {2, 2}, {3, 3}, {4, 4}}}}});
+  return references;
+}
+
+TEST_CASE("probes: every input within the tolerance passes; one that is not fails") {
+  const JudgedCase c = probe_case();
+  const StepReferences references = references_of(c);
+  struct Row {
+    const char* name;
+    std::vector<Numbers> yours;
+    Status status;
+    double score;
+    std::vector<std::string_view> words;
+  };
+  const std::vector<Row> rows{
+      {"equal", c.expected, Status::passed, 4, {"all 4 inputs"}},
+      {"within", {{1, 1.00005}, {2, 4}, {3, 9}, {4, 16}}, Status::passed, 4, {"0.5 of the tolerance"}},
+      {"one wrong",
+       {{1, 1}, {2, 4}, {3, 9.5}, {4, 16}},
+       Status::failed,
+       4 * 0.7,
+       {"1 of 4 inputs", "input 2", "component 1", "9.5 in place of 9"}},
+      {"two wrong", {{0, 1}, {2, 4}, {3, 9.5}, {4, 16}}, Status::failed, 2, {"2 of 4 inputs", "input 0"}},
+      {"all wrong", {{0, 0}, {0, 0}, {0, 0}, {0, 0}}, Status::failed, 0, {"all 4 inputs"}},
+      {"a NaN", {{1, 1}, {2, nan}, {3, 9}, {4, 16}}, Status::failed, 4 * 0.7, {"input 1", "NaN or infinity"}},
+      {"too few results", {{1, 1}}, Status::failed, 0, {"1 results", "4 inputs"}},
+      {"too few numbers", {{1, 1}, {2}, {3, 9}, {4, 16}}, Status::failed, 0, {"input 1", "1 numbers", "2"}},
+      {"no results", {}, Status::failed, 0, {"0 results"}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const CaseResult result = judge_case(c, answer_of(row.yours), references);
+    CHECK(result.status == row.status);
+    CHECK(result.score == Approx(row.score));
+    CHECK(result.credit.empty() == (row.score == 0 || row.score == 4));
+    INFO(result.reason);
+    for (std::string_view word : row.words) CHECK(mentions(result.reason, {word}));
+    CHECK_FALSE(result.evidence.has_value());
+  }
+  const CaseResult named = judge_case(c, answer_of({{1, 1}, {2, 2}, {3, 3}, {4, 4}}), references);
+  CHECK(named.mistake == "no-square");
+  CHECK(judge_case(c, answer_of(Image(8, 8)), references).status == Status::missing);
+}
+
+TEST_CASE("probes: the table shows the worst input first") {
+  const JudgedCase c = probe_case();
+  const std::string table = probe_table({{1, 1}, {2, 5}, {3, 90}, {4, 16}}, c.expected, c, 2);
+  CHECK(table.find("input 2: wrong") < table.find("input 1: wrong"));
+  CHECK(mentions(table, {"x         3", "expected  (3, 9)", "yours     (3, 90)", "and 2 more inputs"}));
+  CHECK(table.find("input 0") == std::string::npos);
+  CHECK(mentions(probe_table(c.expected, c.expected, c), {"input 0: equal", "input 3: equal"}));
+}
+
+TEST_CASE("sixteen numbers are shown as the rows of a matrix") {
+  Numbers columns(16);
+  for (int i = 0; i < 16; ++i) columns[std::size_t(i)] = i;
+  const std::string shown = show_numbers(columns);
+  const std::string first_row = shown.substr(0, shown.find('\n'));
+  CHECK(mentions(first_row, {" 0 ", " 4 ", " 8 ", " 12 "}));
+  CHECK(show_numbers({1.5}) == "1.5");
+  CHECK(show_numbers({0, 1.5, -2}) == "(0, 1.5, -2)");
+}
+
+}  // namespace
+}  // namespace atelier::judge::test
