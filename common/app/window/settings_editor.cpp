@@ -62,8 +62,9 @@ void explain(const SettingSpec& spec) {
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(ImGui::GetFontSize() * 28);
   ImGui::TextUnformatted(spec.help.c_str());
-  ImGui::TextDisabled("--set %s=%s\n%s; a double click or Ctrl+click takes a number", spec.name.c_str(),
-                      setting_text(spec.fallback).c_str(), allowed_values(spec).c_str());
+  ImGui::TextDisabled("--set %s=%s\n%s", spec.name.c_str(), setting_text(spec.fallback).c_str(),
+                      allowed_values(spec).c_str());
+  if (spec.high > spec.low) ImGui::TextDisabled("Ctrl+click to type a number");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
 }

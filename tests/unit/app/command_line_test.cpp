@@ -1,0 +1,115 @@
+#include "app/command_line.hpp"
+
+#include "app/window/restart.hpp"
+#include "base/file.hpp"
+#include "catch.hpp"
+
+namespace {
+
+using namespace atelier;
+using test::error_of;
+using test::mentions;
+
+std::optional<CommandLine> parse(std::vector<std::string> words) {
+  words.insert(words.begin(), "00-fake");
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  return parse_command_line(int(pointers.size()), pointers.data(), "00-fake");
+}
+
+}  // namespace
+
+TEST_CASE("a command line that is wrong is answered with what is", "[command_line]") {
+  const struct {
+    const char* name;
+    std::vector<std::string> words;
+    std::initializer_list<std::string_view> answer;
+  } rows[] = {
+      {"unknown option", {"--sise", "1x1"}, {"--sise", "00-fake --help"}},
+      {"stray word", {"teapot"}, {"teapot"}},
+      {"option without its value", {"--scene"}, {"--scene"}},
+      {"one number as size", {"--size", "640"}, {"--size 640", "WIDTHxHEIGHT", "4096"}},
+      {"size without height", {"--size", "640x"}, {"--size 640x", "WIDTHxHEIGHT"}},
+      {"letters as size", {"--size", "axb"}, {"--size axb"}},
+      {"more after the size", {"--size", "6x4x2"}, {"--size 6x4x2"}},
+      {"no width", {"--size", "0x10"}, {"--size 0x10", "1 to 4096"}},
+      {"negative height", {"--size", "10x-10"}, {"--size 10x-10"}},
+      {"too wide", {"--size", "4097x1"}, {"--size 4097x1", "4096"}},
+      {"two coordinates", {"--eye", "1,2"}, {"--eye 1,2", "X,Y,Z"}},
+      {"four coordinates", {"--eye", "1,2,3,4"}, {"--eye 1,2,3,4"}},
+      {"coordinate not a number", {"--target", "nan,0,0"}, {"--target nan,0,0", "finite"}},
+      {"infinite coordinate", {"--target", "0,inf,0"}, {"--target", "finite"}},
+      {"setting without a value", {"--set", "a.b"}, {"--set a.b", "NAME=VALUE"}},
+      {"setting without a name", {"--set", "=3"}, {"--set =3", "NAME=VALUE"}},
+      {"no frames", {"--frames", "0"}, {"--frames"}},
+      {"frames in words", {"--frames", "ten"}, {"--frames", "ten"}},
+      {"too many frames", {"--frames", "10001"}, {"--frames", "10000"}},
+      {"unknown context", {"--context", "cuda"}, {"cuda", "osmesa", "egl", "window"}},
+      {"implementations that are not there", {"--implementations", "/no/such/folder"}, {"/no/such/folder"}},
+      {"cases without a folder", {"--cases", "cases.json"}, {"--cases", "--out"}},
+      {"descriptor in words", {"--progress", "three"}, {"--progress", "three"}},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    const std::string words = error_of([&] { parse(row.words); });
+    INFO(words);
+    CHECK(mentions(words, row.answer));
+    CHECK(words.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("what is not said has its default", "[command_line]") {
+  const CommandLine line = parse({}).value();
+  CHECK(line.picture.size == glm::ivec2(640, 480));
+  CHECK(line.picture.output == "colour");
+  CHECK(line.picture.scene.empty());
+  CHECK(line.frames == 48);
+  CHECK(line.settings.empty());
+  CHECK_FALSE(line.context);
+  CHECK_FALSE(line.implementations);
+  CHECK_FALSE(line.picture.camera.eye);
+  CHECK_FALSE(line.list);
+}
+
+TEST_CASE("what is said is taken", "[command_line]") {
+  const CommandLine line =
+      parse({"--scene", "hall", "--size", "1x4096", "--set", "a.b=1", "--set", "c=x=y", "--output", "depth", "--eye",
+             "-1,2.5,1e6", "--target", "0,0,-0.5", "--context", "egl", "--stats", "--progress", "5"})
+          .value();
+  CHECK(line.picture.scene == "hall");
+  CHECK(line.picture.size == glm::ivec2(1, 4096));
+  REQUIRE(line.settings.size() == 2);
+  CHECK(line.settings[0] == std::pair<std::string, std::string>("a.b", "1"));
+  CHECK(line.settings[1] == std::pair<std::string, std::string>("c", "x=y"));
+  CHECK(line.picture.output == "depth");
+  CHECK(line.picture.camera.eye == glm::dvec3(-1, 2.5, 1e6));
+  CHECK(line.picture.camera.target == glm::dvec3(0, 0, -0.5));
+  CHECK(line.context == ContextKind::egl);
+  CHECK(line.stats);
+  CHECK(line.progress == 5);
+}
+
+TEST_CASE("a window's command line survives being written and read again", "[command_line]") {
+  const TemporaryFolder folder;
+  CommandLine line = parse({}).value();
+  line.picture.scene = "-odd name.obj";
+  line.picture.size = {123, 45};
+  line.picture.output = "normal";
+  line.picture.camera.eye = {-1.0 / 3, 1e6 + 0.1, 5e-324};  // the least double: the shortest text still reads back
+  line.picture.camera.target = {0, -0.0, 1e300};
+  line.settings = {{"a.b", "-0.1"}, {"c", "x=y"}, {"d", "off"}};
+  line.context = ContextKind::window;
+  line.implementations = Implementations::parse("00-fake=" + folder.path().string());
+  line.stats = true;
+
+  const CommandLine again = parse(to_arguments(line)).value();
+  CHECK(again.picture.scene == line.picture.scene);
+  CHECK(again.picture.size == line.picture.size);
+  CHECK(again.picture.output == line.picture.output);
+  CHECK(again.picture.camera.eye == line.picture.camera.eye);
+  CHECK(again.picture.camera.target == line.picture.camera.target);
+  CHECK(again.settings == line.settings);
+  CHECK(again.context == line.context);
+  CHECK(again.implementations->to_string() == line.implementations->to_string());
+  CHECK(again.stats);
+}

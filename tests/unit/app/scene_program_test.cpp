@@ -1,0 +1,94 @@
+#include "app/scene_program.hpp"
+
+#include "app/picture.hpp"
+#include "catch.hpp"
+#include "fake_step.hpp"
+#include "gl/context.hpp"
+
+namespace {
+
+using namespace atelier;
+using test::error_of;
+using test::mentions;
+
+Case with(const std::string& setting, const SettingValue& value) {
+  Case picture;
+  picture.size = {48, 32};
+  picture.settings[setting] = value;
+  return picture;
+}
+
+/// How many pixels show what is behind everything.
+std::ptrdiff_t background_pixels(const Image& image) {
+  return std::count(image.pixels().begin(), image.pixels().end(), Rgba{0.02f, 0.03f, 0.05f, 1});
+}
+
+double mean_difference(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i)
+    sum += std::abs(a.pixels()[i].r - b.pixels()[i].r) + std::abs(a.pixels()[i].g - b.pixels()[i].g);
+  return sum / double(a.pixels().size());
+}
+
+}  // namespace
+
+TEST_CASE("a scene program offers the renderer's intermediates beside its own outputs", "[scene_program]") {
+  const test::FakeStep step;
+  std::vector<std::string> names;
+  for (const OutputSpec& output : step.description().outputs) names.push_back(output.name);
+  CHECK(names == std::vector<std::string>{"colour", "depth", "normal", "position", "texcoord"});
+}
+
+TEST_CASE("the view settings have their effect", "[scene_program]") {
+  const TemporaryFolder folder;
+  test::write_fake_shaders(folder.path());
+  const auto context = make_headless_context();
+  test::FakeStep step;
+  Painter painter(step, *context, Implementations({{folder.path(), ""}}));
+  const Image plain = painter.paint(with("draw.wireframe", false));
+
+  SECTION("edges instead of faces") {
+    const Image edges = painter.paint(with("draw.wireframe", true));
+    // Through the faces one sees the background: the box covers a third of the picture, its edges a fraction of that.
+    CHECK(background_pixels(edges) > background_pixels(plain) + 48 * 32 / 10);
+    CHECK(background_pixels(edges) < 48 * 32);
+  }
+  SECTION("camera-relative drawing shows the same") {
+    // Positions round elsewhere, in the last bits of floats of size 1: a few edge pixels at most.
+    CHECK(mean_difference(plain, painter.paint(with("world.camera_relative", true))) < 1e-3);
+  }
+  SECTION("depth formats change no picture") {
+    for (const char* format : {"16", "32f", "32f-reversed"}) {
+      INFO(format);
+      if (std::string(format) == "32f-reversed" && !context->gl().ClipControl.call) continue;
+      CHECK(painter.paint(with("depth.format", std::string(format))) == plain);
+    }
+  }
+  SECTION("the target gets the depth that the setting names") {
+    Settings settings(step.description().settings);
+    CHECK(step.depth_format(settings) == DepthFormat::depth24);
+    settings.set("depth.format", "16");
+    CHECK(step.depth_format(settings) == DepthFormat::depth16);
+    settings.set("depth.format", "32f-reversed");
+    CHECK(step.depth_format(settings) == DepthFormat::depth32f);
+  }
+}
+
+TEST_CASE("a program without view settings draws with the defaults", "[scene_program]") {
+  SceneProgram program(
+      {.name = "00-bare", .title = "bare", .scenes = {"box"}}, test::fake_transforms(),
+      [] { return std::vector<std::unique_ptr<Feature>>(); }, test::fake_scene);
+  CHECK(program.depth_format(Settings()) == DepthFormat::depth24);
+}
+
+TEST_CASE("the scene's own camera comes with it", "[scene_program]") {
+  const TemporaryFolder folder;
+  test::write_fake_shaders(folder.path());
+  const auto context = make_headless_context();
+  test::FakeStep step;
+  step.open(context->gl(), Implementations({{folder.path(), ""}}));
+  const Settings settings(step.description().settings);
+  step.load("ring", settings);
+  CHECK(step.camera().eye == glm::dvec3(0, 0, 3));
+  CHECK(mentions(error_of([&] { step.load("hall", settings); }), {"hall"}));
+}

@@ -1,0 +1,341 @@
+#include "app/window/viewer.hpp"
+
+#include "app/picture.hpp"
+#include "app/window/presenter.hpp"
+#include "catch.hpp"
+#include "fake_step.hpp"
+#include "gl/context.hpp"
+#include "image/colour.hpp"
+
+namespace {
+
+using namespace atelier;
+using test::error_of;
+using test::mentions;
+
+CommandLine plain_line() {
+  CommandLine line;
+  line.picture.size = {48, 32};
+  return line;
+}
+
+/// A viewer over the fake step, on a context without a window.
+struct Room {
+  TemporaryFolder folder;
+  std::unique_ptr<HeadlessContext> context = make_headless_context();
+  test::FakeStep step;
+  std::optional<Viewer> viewer;
+  explicit Room(const CommandLine& line = plain_line()) {
+    test::write_fake_shaders(folder.path());
+    viewer.emplace(step, context->gl(), implementations(), line);
+    viewer->resize({48, 32});
+  }
+  Implementations implementations() const { return Implementations({{folder.path(), ""}}); }
+  Image picture() { return viewer->picture()->read_colour(context->gl()); }
+
+  /// Replaces the shader and makes sure that its time of change is another: a test is faster than some file systems'
+  /// clocks.
+  void write_shader(std::string_view text) {
+    const auto file = folder.path() / test::step_name / "shade.glsl";
+    const auto before = std::filesystem::last_write_time(file);
+    write_file(file, text);
+    std::filesystem::last_write_time(file, before + std::chrono::seconds(1));
+  }
+};
+
+constexpr const char* green_glsl = "vec3 shade(Surface surface) { return vec3(0.0, 1.0, 0.0); }\n";
+constexpr const char* broken_glsl = "vec3 shade(Surface surface) { return colour; }\n";
+
+}  // namespace
+
+TEST_CASE("a viewer draws when something has changed, and only then", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  CHECK_FALSE(viewer.draw());
+  CHECK(room.step.draws == 1);
+
+  const struct {
+    const char* name;
+    void (*change)(Viewer&);
+    int loads;
+  } rows[] = {
+      {"turn",
+       [](Viewer& v) {
+         v.turn({10, 5}, 32);
+       },
+       0},
+      {"pan",
+       [](Viewer& v) {
+         v.pan({1, 2}, 32);
+       },
+       0},
+      {"dolly", [](Viewer& v) { v.dolly(1); }, 0},
+      {"reset of the camera", [](Viewer& v) { v.reset_camera(); }, 0},
+      {"output", [](Viewer& v) { v.choose_output("normal"); }, 0},
+      {"size",
+       [](Viewer& v) {
+         v.resize({20, 10});
+       },
+       0},
+      {"setting", [](Viewer& v) { v.set("tint.brightness", 0.25); }, 1},
+      {"reset of the settings", [](Viewer& v) { v.reset_settings(); }, 1},
+      {"scene", [](Viewer& v) { v.choose_scene("ring"); }, 1},
+      {"clock",
+       [](Viewer& v) {
+         v.play(true);
+         v.advance(0.5);
+       },
+       0},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    const int loads = room.step.loads, draws = room.step.draws;
+    row.change(viewer);
+    CHECK(viewer.draw());
+    CHECK_FALSE(viewer.draw());
+    CHECK(room.step.loads == loads + row.loads);
+    CHECK(room.step.draws == draws + 1);
+    CHECK_FALSE(viewer.trouble.any());
+  }
+  CHECK(room.step.last_time == 0.5);
+  viewer.resize({20, 10});  // the size that it has
+  viewer.play(false);
+  viewer.advance(0.5);
+  CHECK_FALSE(viewer.draw());
+}
+
+TEST_CASE("a viewer shows what --out draws, to the bit", "[viewer]") {
+  CommandLine line = plain_line();
+  line.picture.scene = "ring";
+  line.picture.camera.eye = glm::dvec3(0.1, 0.7, 2);
+  line.settings = {{"tint.colour", "blue"}};
+  Room room(line);
+  REQUIRE(room.viewer->draw());
+  const Image seen = room.picture();
+
+  Case picture = line.picture;
+  picture.settings["tint.colour"] = std::string("blue");
+  test::FakeStep other;
+  Painter painter(other, *room.context, room.implementations());
+  CHECK(painter.paint(picture) == seen);
+}
+
+TEST_CASE("the camera turns, and a reset brings back the scene's own", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  const Image start = room.picture();
+  viewer.turn({16, 0}, 32);  // half the height: a quarter turn
+  REQUIRE(viewer.draw());
+  CHECK_FALSE(room.picture() == start);
+  const glm::dvec3 eye = viewer.camera().eye;       // from (1, 1.5, 3), the camera goes to the left of the picture
+  CHECK(glm::distance(eye, {-3, 1.5, 1}) < 1e-12);  // rounding of a few products of numbers about 3
+  viewer.reset_camera();
+  REQUIRE(viewer.draw());
+  CHECK(room.picture() == start);
+}
+
+TEST_CASE("a setting keeps the camera that was chosen, another scene brings its own", "[viewer]") {
+  CommandLine line = plain_line();
+  line.picture.camera.eye = glm::dvec3(0, 0, 9);
+  Room room(line);
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  CHECK(viewer.camera().eye == glm::dvec3(0, 0, 9));
+  viewer.dolly(2);
+  const glm::dvec3 nearer = viewer.camera().eye;
+  viewer.set("tint.brightness", 0.25);
+  REQUIRE(viewer.draw());
+  CHECK(viewer.camera().eye == nearer);
+  viewer.choose_scene("ring");
+  REQUIRE(viewer.draw());
+  CHECK(viewer.camera().eye == glm::dvec3(0, 0, 3));
+}
+
+TEST_CASE("what a student's code throws is shown, and the last good picture stays", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  const Image good = room.picture();
+
+  const struct {
+    const char* name;
+    void (*thrower)();
+    const char* words;
+  } rows[] = {
+      {"an error", [] { throw Error("the light is out"); }, "the light is out"},
+      {"a standard exception", [] { throw std::out_of_range("vector::at"); }, "vector::at"},
+      {"a number", [] { throw 3; }, "no std::exception"},
+      {"nothing to say", [] { throw std::runtime_error(""); }, "without a message"},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    room.step.on_draw = row.thrower;
+    viewer.turn({3, 3}, 32);
+    CHECK_FALSE(viewer.draw());
+    CHECK(mentions(viewer.trouble.drawing, {row.words}));
+    CHECK(room.picture() == good);
+    CHECK_FALSE(viewer.draw());  // and it is not tried again and again
+  }
+  room.step.on_draw = nullptr;
+  CHECK(viewer.retry());
+  CHECK(viewer.draw());
+  CHECK_FALSE(viewer.trouble.any());
+  CHECK_FALSE(viewer.retry());
+}
+
+TEST_CASE("a scene that cannot be loaded is trouble, and another can be chosen", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  viewer.choose_scene("missing.obj");
+  CHECK_FALSE(viewer.draw());
+  CHECK(mentions(viewer.trouble.drawing, {"missing.obj"}));
+  REQUIRE(viewer.picture());
+  viewer.choose_scene("ring");
+  CHECK(viewer.draw());
+  CHECK_FALSE(viewer.trouble.any());
+}
+
+TEST_CASE("a changed shader is seen; a broken one leaves the picture", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  CHECK_FALSE(viewer.reload_shaders());
+
+  room.write_shader(green_glsl);
+  CHECK(viewer.reload_shaders());
+  REQUIRE(viewer.draw());
+  CHECK(room.picture().at(24, 16) == Rgba{0, 1, 0, 1});
+
+  room.write_shader(broken_glsl);
+  CHECK(viewer.reload_shaders());  // there is a message to show
+  CHECK(mentions(viewer.trouble.shaders, {"shade.glsl:1", "colour"}));
+  viewer.turn({1, 0}, 32);
+  CHECK(viewer.draw());  // by the last good program
+  CHECK(room.picture().at(24, 16) == Rgba{0, 1, 0, 1});
+
+  room.write_shader(test::shade_glsl);
+  CHECK(viewer.reload_shaders());
+  CHECK(viewer.trouble.shaders.empty());
+  REQUIRE(viewer.draw());
+  CHECK(room.picture().at(24, 16).g < 0.5f);
+}
+
+TEST_CASE("a shader that is broken from the start can be mended", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  room.write_shader(broken_glsl);
+  CHECK_FALSE(viewer.draw());
+  CHECK(mentions(viewer.trouble.drawing, {"shade.glsl:1"}));
+  CHECK(viewer.picture() == nullptr);
+  room.write_shader(green_glsl);
+  CHECK(viewer.retry());
+  CHECK(viewer.draw());
+  CHECK(room.picture().at(24, 16) == Rgba{0, 1, 0, 1});
+}
+
+TEST_CASE("a typing error on the command line is refused before there is a window", "[viewer]") {
+  const struct {
+    const char* name;
+    void (*spoil)(CommandLine&);
+    std::initializer_list<std::string_view> answer;
+  } rows[] = {
+      {"scene", [](CommandLine& l) { l.picture.scene = "rink"; }, {"--scene rink", "ring"}},
+      {"output", [](CommandLine& l) { l.picture.output = "norml"; }, {"--output norml", "normal"}},
+      {"setting",
+       [](CommandLine& l) {
+         l.settings = {{"tint.color", "red"}};
+       },
+       {"tint.color", "tint.colour"}},
+      {"value",
+       [](CommandLine& l) {
+         l.settings = {{"segments", "2"}};
+       },
+       {"segments", "3..4096"}},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    CommandLine line = plain_line();
+    row.spoil(line);
+    CHECK(mentions(error_of([&] { Room room(line); }), row.answer));
+  }
+}
+
+TEST_CASE("a view can be opened again from its command line", "[viewer]") {
+  Image seen;
+  CommandLine line;
+  {
+    Room room;  // ended before the next begins: a thread has one context
+    Viewer& viewer = *room.viewer;
+    REQUIRE(viewer.draw());
+    CHECK(viewer.command_line(plain_line()).settings.empty());
+    CHECK_FALSE(viewer.command_line(plain_line()).picture.camera.eye);
+
+    viewer.choose_scene("ring");
+    viewer.choose_output("normal");
+    viewer.set("tint.brightness", 0.1);
+    viewer.set("draw.wireframe", true);
+    REQUIRE(viewer.draw());
+    viewer.turn({7, 3}, 32);
+    viewer.pan({2, 1}, 32);
+    REQUIRE(viewer.draw());
+    seen = room.picture();
+    line = viewer.command_line(plain_line());
+  }
+  Room again(line);
+  REQUIRE(again.viewer->draw());
+  CHECK(again.picture() == seen);
+}
+
+TEST_CASE("sizes out of range are brought into it", "[viewer]") {
+  Room room;
+  room.viewer->resize({0, -5});
+  REQUIRE(room.viewer->draw());
+  CHECK(room.picture().width() == 1);
+  CHECK(room.picture().height() == 1);
+}
+
+TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[presenter]") {
+  const auto context = make_headless_context();
+  Gl& gl = context->gl();
+  const Target source(gl, {.width = 1, .height = 1, .depth = DepthFormat::none});
+  const Target screen(gl, {.width = 3, .height = 3, .depth = DepthFormat::none});
+  Presenter presenter(gl);
+  const float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+
+  const struct {
+    const char* name;
+    glm::vec3 colour;
+    Encoding encoding;
+    glm::vec3 shown;
+  } rows[] = {
+      {"black", {0, 0, 0}, Encoding::linear, {0, 0, 0}},
+      {"linear light",
+       {0.5f, 0.001f, 0.2f},
+       Encoding::linear,
+       {srgb_encode(0.5f), srgb_encode(0.001f), srgb_encode(0.2f)}},
+      {"encoded already", {0.5f, 0.001f, 0.2f}, Encoding::srgb, {0.5f, 0.001f, 0.2f}},
+      {"data", {0.25f, 0.75f, 1}, Encoding::data, {0.25f, 0.75f, 1}},
+      {"above one and below zero", {7, -1, 1}, Encoding::linear, {1, 0, 1}},
+      {"no number", {nan, 0, 0}, Encoding::linear, {1, 0, 1}},
+      {"infinite", {0, 0, infinity}, Encoding::data, {1, 0, 1}},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    source.bind(gl);
+    const float colour[4] = {row.colour.r, row.colour.g, row.colour.b, 1};
+    gl.ClearBufferfv(GL_COLOR, 0, colour);
+    screen.bind(gl);
+    gl.ClearColor(0, 0, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    presenter.draw(source, row.encoding, {{0, 0}, {2, 3}});
+    const Image shown = read_framebuffer(gl, {3, 3});
+    // A driver's pow is good to some 1e-4: a tenth of a step of 8 bits.
+    CHECK(shown.at(0, 0).r == Approx(row.shown.r).margin(4e-4));
+    CHECK(shown.at(1, 2).g == Approx(row.shown.g).margin(4e-4));
+    CHECK(shown.at(1, 1).b == Approx(row.shown.b).margin(4e-4));
+    CHECK(shown.at(2, 1) == Rgba{0, 0, 0, 1});  // beside its area nothing is drawn
+  }
+}

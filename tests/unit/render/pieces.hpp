@@ -1,0 +1,76 @@
+// Small things to draw and to draw with, shared by the tests of the renderer.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "base/file.hpp"
+#include "fake_transforms.hpp"
+#include "gl/context.hpp"
+#include "render/renderer.hpp"
+
+namespace atelier::test {
+
+/// A feature that is whatever a test says.
+struct Piece : Feature {
+  std::function<Need(const Material&)> wants = [](const Material&) { return Need{.wanted = true}; };
+  std::map<Slot, SlotCode> filled;
+  std::map<std::string, std::string> shown;
+  std::function<void(Binder&, const Viewpoint&)> bind = [](Binder&, const Viewpoint&) {};
+  int prepared = 0, configured = 0, views = 0, materials = 0;
+
+  void configure(const Settings&) override { ++configured; }
+  void prepare(Gl&, const Scene&) override { ++prepared; }
+  Need need(const Scene&, const View&, const Material& material) const override { return wants(material); }
+  std::map<Slot, SlotCode> slots() const override { return filled; }
+  std::map<std::string, std::string> outputs() const override { return shown; }
+  void bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) override {
+    ++views;
+    bind(binder, viewpoint);
+  }
+  void bind_material(Binder&, const Scene&, const Material&) override { ++materials; }
+};
+
+/// Shader files in a folder of their own, as an implementation of steps.
+struct Shaders {
+  TemporaryFolder folder;
+  Shaders() { write(transforms_name, transforms_glsl); }
+  Implementations implementations() const { return Implementations({{folder.path(), ""}}); }
+  FindFile find() const {
+    return [all = implementations()](const std::string& name) {
+      return name == "surface.glsl" ? std::filesystem::path(ATELIER_SOURCE_DIR) / "common/render/shaders/surface.glsl"
+                                    : all.find(name);
+    };
+  }
+
+  /// Each writing gets another time of change: a test is faster than some file systems' clocks.
+  void write(const std::string& name, std::string_view text) {
+    const auto file = folder.path() / name;
+    write_file(file, text);
+    std::filesystem::last_write_time(file, std::filesystem::last_write_time(file) + std::chrono::seconds(++writes_));
+  }
+
+ private:
+  int writes_ = 0;
+};
+
+/// A triangle in the plane z = 0 that faces +z: corners (-1,-1), (1,-1), (-1,1).
+inline Mesh triangle() {
+  const auto corner = [](float x, float y) { return Vertex{{x, y, 0}, {0, 0, 1}, {(x + 1) / 2, (y + 1) / 2}}; };
+  return {.name = "triangle", .vertices = {corner(-1, -1), corner(1, -1), corner(-1, 1)}, .indices = {0, 1, 2}};
+}
+
+/// The triangle, seen straight on from z = 3 so that it fills much of the picture; background dark blue.
+inline Scene triangle_scene() {
+  Scene scene{.name = "triangle"};
+  scene.meshes = {triangle()};
+  scene.materials = {Material{}};
+  scene.nodes = {Node{.name = "it", .mesh = 0}};
+  scene.camera = {.eye = {0, 0, 3}, .near = 0.5f, .far = 10};
+  scene.background = {0, 0, 0.25f};
+  return scene;
+}
+
+inline const Rgba dark_blue{0, 0, 0.25f, 1}, grey{0.5f, 0.5f, 0.5f, 1};
+
+}  // namespace atelier::test
