@@ -196,7 +196,8 @@ TEST_CASE("what does not build leaves no library behind and says why") {
        [](Course& c) {
          std::string text;
          for (int i = 0; i < 2000; ++i) text += "int x = undeclared_" + std::to_string(i) + ";\n";
-         c.write("sum.cpp", text);
+         // Two floods: one alone is cut short where the compiler is run.
+         c.write("sum.cpp", text), c.write("product.cpp", text);
        },
        {"sum.cpp:1:"}},
       {"the link fails", [](Course& c) { c.flags.link.push_back("-lno-such-library"); }, {"no-such-library"}},
