@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cstdio>
 
 #include "base/error.hpp"
 #include "case/exchange.hpp"
@@ -12,6 +13,7 @@ namespace {
 
 void tell(std::optional<int> progress, const std::string& line) {
   if (!progress) return;
+  std::fflush(nullptr);  // what was printed belongs to this case
   // A judge that has gone away reads nothing any more; there is nobody left to answer for.
   if (write(*progress, line.data(), line.size()) != ssize_t(line.size())) _exit(exit_usage);
 }

@@ -42,21 +42,29 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
 
   CLI::App app{"Step " + step + " of Atelier. Without --out, --record, --cases or --list it opens a window."};
   app.add_flag("--list", line.list, "Print scenes, settings, outputs and probes")->group("What to do");
-  app.add_option("--out", line.out, "Draw one picture into this file (.png .exr .bmp); with --cases: a folder")->group("What to do");
-  app.add_option("--record", line.record, "Draw a turn round the scene: .gif, or numbered .png / .bmp files")->group("What to do");
-  app.add_option("--frames", line.frames, "Pictures of a recording")->check(CLI::Range(1, 10000))->capture_default_str()->group("What to do");
+  app.add_option("--out", line.out, "Draw one picture into this file (.png .exr .bmp); with --cases: a folder")
+      ->group("What to do");
+  app.add_option("--record", line.record, "Draw a turn round the scene: .gif, or numbered .png / .bmp files")
+      ->group("What to do");
+  app.add_option("--frames", line.frames, "Pictures of a recording")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str()
+      ->group("What to do");
   app.add_option("--cases", line.cases, "Answer every case in this file; what the judge calls")->group("What to do");
-  app.add_option("--scene", line.picture.scene, "A built-in scene, or a .gltf, .glb or .obj file")->group("What to draw");
+  app.add_option("--scene", line.picture.scene, "A built-in scene, or a .gltf, .glb or .obj file")
+      ->group("What to draw");
   app.add_option("--size", size, "WIDTHxHEIGHT in pixels")->group("What to draw");
   app.add_option("--set", settings, "NAME=VALUE, any number of times")->group("What to draw")->take_all();
   app.add_option("--output", line.picture.output, "colour, or an intermediate")->group("What to draw");
   app.add_option("--eye", eye, "X,Y,Z where the camera stands")->group("What to draw");
   app.add_option("--target", target, "X,Y,Z where it looks")->group("What to draw");
   app.add_option("--context", context, "osmesa, egl or window")->group("How");
-  app.add_option("--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins")->group("How");
+  app.add_option("--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins")
+      ->group("How");
   app.add_flag("--stats", line.stats, "Print what the drawing has cost")->group("How");
   app.add_flag("--json", line.json, "Print for programs")->group("How");
-  app.add_option("--progress", line.progress, "A descriptor to tell the judge which case is being answered")->group("How");
+  app.add_option("--progress", line.progress, "A descriptor to tell the judge which case is being answered")
+      ->group("How");
 
   try {
     app.parse(count, arguments);
@@ -67,8 +75,10 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
     throw Error(std::string(error.what()) + " (see " + step + " --help)");
   }
 
-  if (!size.empty()) line.picture.size = parse_size(size);
-  else line.picture.size = {640, 480};
+  if (!size.empty())
+    line.picture.size = parse_size(size);
+  else
+    line.picture.size = {640, 480};
   if (!eye.empty()) line.picture.camera.eye = parse_vector("--eye", eye);
   if (!target.empty()) line.picture.camera.target = parse_vector("--target", target);
   if (!context.empty()) line.context = parse_context_kind(context);

@@ -17,14 +17,14 @@ struct CommandLine {
   std::optional<ContextKind> context;
   std::optional<Implementations> implementations;
 
-  Case picture;                                        ///< --scene --size --set --output, as for a case
+  Case picture;                                               ///< --scene --size --set --output, as for a case
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE, still as text
-  std::filesystem::path out;                           ///< --out: a picture file; with --cases: a folder
-  std::filesystem::path record;                        ///< --record: .gif, or a .png / .bmp whose frames are numbered
+  std::filesystem::path out;                                  ///< --out: a picture file; with --cases: a folder
+  std::filesystem::path record;  ///< --record: .gif, or a .png / .bmp whose frames are numbered
   int frames = 48;
 
-  std::filesystem::path cases;                         ///< --cases: what the judge calls
-  std::optional<int> progress;                         ///< --progress: a descriptor for "begin NAME" and "end NAME"
+  std::filesystem::path cases;  ///< --cases: what the judge calls
+  std::optional<int> progress;  ///< --progress: a descriptor for "begin NAME" and "end NAME"
 };
 
 /// Throws Error with what is wrong; on --help prints and returns nothing.

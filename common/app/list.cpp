@@ -24,9 +24,12 @@ std::string value_text(const SettingValue& value) {
 
 const char* encoding_name(Encoding encoding) {
   switch (encoding) {
-    case Encoding::linear: return "linear colour";
-    case Encoding::srgb: return "encoded colour";
-    case Encoding::data: return "data";
+    case Encoding::linear:
+      return "linear colour";
+    case Encoding::srgb:
+      return "encoded colour";
+    case Encoding::data:
+      return "data";
   }
   return "";
 }
@@ -62,7 +65,8 @@ std::string list_as_json(const StepDescription& description) {
   }
   json["outputs"] = nlohmann::json::array();
   for (const OutputSpec& output : description.outputs)
-    json["outputs"].push_back({{"name", output.name}, {"encoding", encoding_name(output.encoding)}, {"help", output.help}});
+    json["outputs"].push_back(
+        {{"name", output.name}, {"encoding", encoding_name(output.encoding)}, {"help", output.help}});
   json["probes"] = nlohmann::json::array();
   for (const auto& [name, probe] : description.probes) json["probes"].push_back(name);
   return json.dump(2) + "\n";

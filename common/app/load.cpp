@@ -29,9 +29,11 @@ std::string explain_loader(const std::string& words, const std::string& step) {
   const std::string key = "undefined symbol: ";
   const auto at = words.find(key);
   if (at == std::string::npos) return fmt::format("{}: cannot be loaded: {}", step, words);
-  const std::string symbol = words.substr(at + key.size(), words.find_first_of(" ,()", at + key.size()) - at - key.size());
+  const std::string symbol =
+      words.substr(at + key.size(), words.find_first_of(" ,()", at + key.size()) - at - key.size());
   return fmt::format(
-      "{}: no step defines the function `{}`, which the contract declares: check its name, its parameters and its namespace",
+      "{}: no step defines the function `{}`, which the contract declares: check its name, its parameters and its "
+      "namespace",
       step, demangle(symbol));
 }
 
@@ -44,9 +46,12 @@ void open_library(const std::filesystem::path& file, const std::string& step) {
 Implementations default_implementations(const std::string& step) {
   const auto mine = build_root / "implementations" / "mine", solutions = build_root / "implementations" / "solutions";
   std::vector<Implementations::Root> roots;
-  for (const Implementations::Root& root :
-       {Implementations::Root{mine, step}, {project_root / "steps", step}, {solutions, ""},
-        {project_root / "solutions", ""}, {mine, ""}, {project_root / "steps", ""}})
+  for (const Implementations::Root& root : {Implementations::Root{mine, step},
+                                            {project_root / "steps", step},
+                                            {solutions, ""},
+                                            {project_root / "solutions", ""},
+                                            {mine, ""},
+                                            {project_root / "steps", ""}})
     if (std::filesystem::is_directory(root.folder)) roots.push_back(root);
   return Implementations(std::move(roots));
 }

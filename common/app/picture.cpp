@@ -65,7 +65,8 @@ std::vector<Numbers> Painter::probe(const Case& values) {
   if (found == probes.end()) {
     std::vector<std::string> names;
     for (const auto& [name, function] : probes) names.push_back(name);
-    throw Error(fmt::format("probe '{}': {} offers {}", values.probe, program_.description().name, fmt::join(names, ", ")));
+    throw Error(
+        fmt::format("probe '{}': {} offers {}", values.probe, program_.description().name, fmt::join(names, ", ")));
   }
   ProbeContext probe_context{gl(), shader_probe_};
   std::vector<Numbers> results;

@@ -15,41 +15,63 @@ void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID
 
 const char* glsl_type(const std::string& name, std::size_t count) {
   switch (count) {
-    case 1: return "float";
-    case 2: return "vec2";
-    case 3: return "vec3";
-    case 4: return "vec4";
-    case 9: return "mat3";
-    case 16: return "mat4";
-    default: throw Error(fmt::format("argument '{}': {} numbers; a shader takes 1, 2, 3, 4, 9 or 16", name, count));
+    case 1:
+      return "float";
+    case 2:
+      return "vec2";
+    case 3:
+      return "vec3";
+    case 4:
+      return "vec4";
+    case 9:
+      return "mat3";
+    case 16:
+      return "mat4";
+    default:
+      throw Error(fmt::format("argument '{}': {} numbers; a shader takes 1, 2, 3, 4, 9 or 16", name, count));
   }
 }
 
 void set_uniform(Gl& gl, GLint at, const std::vector<double>& values) {
   const std::vector<float> v(values.begin(), values.end());
   switch (v.size()) {
-    case 1: gl.Uniform1fv(at, 1, v.data()); break;
-    case 2: gl.Uniform2fv(at, 1, v.data()); break;
-    case 3: gl.Uniform3fv(at, 1, v.data()); break;
-    case 4: gl.Uniform4fv(at, 1, v.data()); break;
-    case 9: gl.UniformMatrix3fv(at, 1, GL_FALSE, v.data()); break;
-    case 16: gl.UniformMatrix4fv(at, 1, GL_FALSE, v.data()); break;
+    case 1:
+      gl.Uniform1fv(at, 1, v.data());
+      break;
+    case 2:
+      gl.Uniform2fv(at, 1, v.data());
+      break;
+    case 3:
+      gl.Uniform3fv(at, 1, v.data());
+      break;
+    case 4:
+      gl.Uniform4fv(at, 1, v.data());
+      break;
+    case 9:
+      gl.UniformMatrix3fv(at, 1, GL_FALSE, v.data());
+      break;
+    case 16:
+      gl.UniformMatrix4fv(at, 1, GL_FALSE, v.data());
+      break;
   }
 }
 
 }  // namespace
 
-glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments) {
+glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression,
+                                const Arguments& arguments) {
   std::string text = "out vec4 o_value;\n" + preamble;
-  for (const auto& [name, values] : arguments.values) text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
+  for (const auto& [name, values] : arguments.values)
+    text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
   text += "void main() { o_value = " + expression + "; }\n";
 
   const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   auto found = programs_.find(text);
   if (found == programs_.end())
     found = programs_
-                .emplace(text, build_program(gl_, assemble_shader_text(find, triangle_over_everything, "probe vertex shader", {}),
-                                             assemble_shader_text(find, text, "probe", {})))
+                .emplace(text, build_program(
+                                   gl_, assemble_shader_text(find, triangle_over_everything, "probe vertex shader", {}),
+                                   assemble_shader_text(find, text, "probe", {})))
                 .first;
   const GLuint program = found->second.id();
 

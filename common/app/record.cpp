@@ -21,7 +21,8 @@ glm::dvec3 turned(const Camera& camera, double angle) {
 
 }  // namespace
 
-void record_turn(Painter& painter, const Camera& start, const Case& picture, const std::filesystem::path& file, int frames) {
+void record_turn(Painter& painter, const Camera& start, const Case& picture, const std::filesystem::path& file,
+                 int frames) {
   std::vector<Image> pictures;
   const bool animation = file.extension() == ".gif";
   for (int i = 0; i < frames; ++i) {

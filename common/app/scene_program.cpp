@@ -25,7 +25,8 @@ std::vector<SettingSpec> view_settings() {
       {.name = "depth.format",
        .fallback = std::string("24"),
        .choices = {"16", "24", "32f", "32f-reversed"},
-       .help = "how depth is stored; reversed: 1 at the near plane, which spends a float's precision where it is needed"},
+       .help =
+           "how depth is stored; reversed: 1 at the near plane, which spends a float's precision where it is needed"},
       {.name = "world.camera_relative",
        .fallback = false,
        .help = "move the world so that the eye is its origin, in double precision, before anything is made a float"},

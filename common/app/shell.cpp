@@ -19,8 +19,7 @@ namespace atelier {
 namespace {
 
 void print_counts(const GlCounts& counts) {
-  fmt::print(stderr,
-             "draws {}  triangles {}  program switches {}  programs linked {}  clears {}  texture bytes {}\n",
+  fmt::print(stderr, "draws {}  triangles {}  program switches {}  programs linked {}  clears {}  texture bytes {}\n",
              counts.draws, counts.triangles, counts.program_switches, counts.programs_linked, counts.clears,
              counts.texture_bytes);
 }

@@ -5,8 +5,8 @@
 
 namespace atelier {
 
-/// Reads the command line, loads the step's code and does what was asked. Returns the exit status; never throws: what is
-/// wrong with the input becomes one line on stderr and status 2.
+/// Reads the command line, loads the step's code and does what was asked. Returns the exit status; never throws: what
+/// is wrong with the input becomes one line on stderr and status 2.
 int run_step(int count, char** arguments, const StepIdentity& identity);
 
 }  // namespace atelier

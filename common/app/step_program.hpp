@@ -19,18 +19,18 @@
 namespace atelier {
 
 struct OutputSpec {
-  std::string name;  ///< "colour", "depth", ...
+  std::string name;                      ///< "colour", "depth", ...
   Encoding encoding = Encoding::linear;  ///< linear colour, sRGB-encoded colour, or data (a depth, a coded direction)
-  std::string help;  ///< one sentence with the unit
+  std::string help;                      ///< one sentence with the unit
 };
 
 /// What --list prints.
 struct StepDescription {
-  std::string name;                    ///< "01-transforms"
-  std::string title;                   ///< "Transforms and vertex buffers"
-  std::vector<std::string> scenes;     ///< the first is the default
+  std::string name;                 ///< "01-transforms"
+  std::string title;                ///< "Transforms and vertex buffers"
+  std::vector<std::string> scenes;  ///< the first is the default
   std::vector<SettingSpec> settings;
-  std::vector<OutputSpec> outputs;     ///< "colour" first
+  std::vector<OutputSpec> outputs;  ///< "colour" first
   std::map<std::string, Probe> probes;
 };
 

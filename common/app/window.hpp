@@ -1,5 +1,5 @@
-// The window of a step program: orbit camera, settings panel, hot reload. Lives in a module of its own, so that headless
-// drawing starts without GLFW and Dear ImGui.
+// The window of a step program: orbit camera, settings panel, hot reload. Lives in a module of its own, so that
+// headless drawing starts without GLFW and Dear ImGui.
 #pragma once
 
 #include "app/command_line.hpp"

@@ -30,12 +30,12 @@ struct View {
 struct Viewpoint {
   const View& view;
   glm::mat4 world_to_view, projection;
-  glm::vec3 eye;                  ///< 0 when camera-relative
-  glm::dvec3 origin{0};           ///< what was subtracted from the world: the eye when camera-relative, else 0
+  glm::vec3 eye;         ///< 0 when camera-relative
+  glm::dvec3 origin{0};  ///< what was subtracted from the world: the eye when camera-relative, else 0
 };
 
-/// What a feature wants of the shader for one material: nothing, or a variant told by #defines. Numbers that change from
-/// frame to frame are uniforms and stay out of it: they must not cost a compilation.
+/// What a feature wants of the shader for one material: nothing, or a variant told by #defines. Numbers that change
+/// from frame to frame are uniforms and stay out of it: they must not cost a compilation.
 struct Need {
   bool wanted = false;
   Defines structure;

@@ -24,8 +24,8 @@ class Renderer {
   /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
   void prepare(const Scene& scene);
 
-  /// Clears the target to the background and draws the prepared scene. Throws ShaderError with the author's file and line,
-  /// Error where the view asks what the driver or the target lacks.
+  /// Clears the target to the background and draws the prepared scene. Throws ShaderError with the author's file and
+  /// line, Error where the view asks what the driver or the target lacks.
   void render(const View& view, const Target& target);
 
   /// Builds anew every program one of whose files has changed. Where one cannot be built, the old one stays and the

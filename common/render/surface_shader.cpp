@@ -56,7 +56,9 @@ SlotCode shade_code(const SurfaceKey& key) {
   return code;
 }
 
-std::string include_line(const std::string& file) { return fmt::format("#include \"{}\"\n", file); }
+std::string include_line(const std::string& file) {
+  return fmt::format("#include \"{}\"\n", file);
+}
 
 std::string output_expression(const SurfaceKey& key, const std::string& shaded) {
   if (key.output == "colour") return shaded;
@@ -114,7 +116,8 @@ SurfaceSources assemble_surface(const FindFile& find, const std::string& transfo
                 "#ifdef TWO_SIDED\n"
                 "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
                 "#endif\n"
-                "  o_colour = vec4(" + output_expression(key, shaded) + ", 1.0);\n}\n";
+                "  o_colour = vec4(" +
+                output_expression(key, shaded) + ", 1.0);\n}\n";
 
   return {assemble_shader_text(find, vertex, "surface vertex shader", key.structure),
           assemble_shader_text(find, fragment, "surface fragment shader", key.structure)};

@@ -21,8 +21,8 @@ struct SurfaceSources {
   ShaderSource vertex, fragment;
 };
 
-/// `transforms_glsl` is the include behind TransformFunctions::glsl. Throws Error for an output that neither the renderer
-/// nor a wanted feature offers.
+/// `transforms_glsl` is the include behind TransformFunctions::glsl. Throws Error for an output that neither the
+/// renderer nor a wanted feature offers.
 SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key);
 
 /// Intermediates that the renderer itself offers: "depth", "normal", "texcoord", "position".

@@ -14,16 +14,16 @@ namespace atelier {
 
 /// One node of a hierarchy: its own matrix, and whose space that matrix leads into.
 struct Joint {
-  int parent = -1;            ///< index of the parent, -1 for a root; parents may stand after their children
-  glm::mat4 local{1.0f};      ///< from the node's space to its parent's
+  int parent = -1;        ///< index of the parent, -1 for a root; parents may stand after their children
+  glm::mat4 local{1.0f};  ///< from the node's space to its parent's
 };
 
 /// A mesh in the memory of OpenGL. Names (numbers) of objects that the receiver deletes.
 struct MeshBuffers {
-  GLuint vertex_array = 0;    ///< remembers which buffer feeds which attribute
-  GLuint vertex_buffer = 0;   ///< the vertices, interleaved
-  GLuint index_buffer = 0;    ///< 0 where the vertices are drawn in order, without indices
-  GLsizei count = 0;          ///< indices, or vertices where there are none
+  GLuint vertex_array = 0;   ///< remembers which buffer feeds which attribute
+  GLuint vertex_buffer = 0;  ///< the vertices, interleaved
+  GLuint index_buffer = 0;   ///< 0 where the vertices are drawn in order, without indices
+  GLsizei count = 0;         ///< indices, or vertices where there are none
 };
 
 /// Attribute locations that every shader of the course agrees on.
@@ -31,7 +31,8 @@ inline constexpr GLuint attribute_position = 0, attribute_normal = 1, attribute_
 
 /// What the renderer asks of step 01. Spaces and errors stand in that step's contract header.
 struct TransformFunctions {
-  glm::mat4 (*compose)(const glm::vec3& translation, const glm::vec3& axis, float angle, const glm::vec3& scale) = nullptr;
+  glm::mat4 (*compose)(const glm::vec3& translation, const glm::vec3& axis, float angle,
+                       const glm::vec3& scale) = nullptr;
   std::vector<glm::mat4> (*world_matrices)(std::span<const Joint> joints) = nullptr;
   glm::mat4 (*look_at)(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) = nullptr;
   glm::mat4 (*perspective)(float fov_y, float aspect, float near, float far) = nullptr;
@@ -39,7 +40,8 @@ struct TransformFunctions {
   glm::mat4 (*orthographic)(float left, float right, float bottom, float top, float near, float far) = nullptr;
   glm::mat3 (*normal_matrix)(const glm::mat4& model) = nullptr;
   glm::vec3 (*relative_to_eye)(const glm::dvec3& position, const glm::dvec3& eye) = nullptr;
-  MeshBuffers (*upload_mesh)(Gl& gl, std::span<const Vertex> vertices, std::span<const std::uint32_t> indices) = nullptr;
+  MeshBuffers (*upload_mesh)(Gl& gl, std::span<const Vertex> vertices,
+                             std::span<const std::uint32_t> indices) = nullptr;
   void (*set_wireframe)(Gl& gl, bool on) = nullptr;
   std::string glsl;  ///< the include that defines clip_position, world_position and world_normal
 };
