@@ -1,5 +1,6 @@
 // What is right in another way must pass; what is wrong must not, however small its share of the picture is.
 #include "catch.hpp"
+#include "judge/measure.hpp"
 #include "judge/verdict.hpp"
 #include "synthetic.hpp"
 
@@ -107,6 +108,19 @@ TEST_CASE("strict: single rules, each on a picture that breaks no other") {
   CHECK(judge_case(c, answer_of(with_spots(9, 1)), references).status == Status::failed);   // nine in a square
 }
 
+TEST_CASE("strict: a picture that only lies a little beside its place fails, and is capped as a whole") {
+  // Where even sharp edges are tolerated, nothing but the fitted shift tells.
+  const JudgedCase c = picture_case(Profile::strict, Unit::colour, 60, 40);
+  const StepReferences references = reference_of(right_picture());
+  const CaseResult result = judge_case(c, answer_of(drawn_with([](Drawing& d) { d.offset_x = 0.12; })), references);
+  REQUIRE(result.figures.at("over") <= 40);
+  REQUIRE(result.figures.at("blob") == 0);
+  CHECK(result.status == Status::failed);
+  CHECK(result.score > 0);
+  CHECK(result.score <= 4);
+  CHECK(mentions(result.credit, {"at most 40 %"}));
+}
+
 TEST_CASE("strict: in a small picture the default budget shrinks with it") {
   JudgedCase c = picture_case();
   c.ask.size = {16, 16};
@@ -189,12 +203,14 @@ TEST_CASE("several references: the best counts") {
   Drawing other;
   other.no_ambient = true;
   CaseReferences right;
-  right.pictures = {draw(other), right_picture()};
+  right.pictures = {right_picture(), draw(other)};
   references.add("sphere", right);
   CHECK(judge_case(c, answer_of(right_picture()), references).status == Status::passed);
   CHECK(judge_case(c, answer_of(draw(other)), references).status == Status::passed);
   other.no_highlight = true;
-  CHECK(judge_case(c, answer_of(draw(other)), references).status == Status::failed);
+  const CaseResult wrong = judge_case(c, answer_of(draw(other)), references);
+  CHECK(wrong.status == Status::failed);
+  CHECK(wrong.evidence->reference == compared_form(right.pictures[1], c));  // shown beside the one it is nearest to
 }
 
 }  // namespace
