@@ -1,5 +1,6 @@
 #include "case/exchange.hpp"
 
+#include <fmt/format.h>
 #include <sys/stat.h>
 
 #include <cmath>
@@ -188,9 +189,10 @@ TEST_CASE("a case's error is one printable line") {
     CHECK(read_case_error(folder.path() / "e") == row.shown);
   }
   const TemporaryFolder folder;
-  write_case_error(folder.path() / "e", std::string(10000, 'x') + "\nmore");
+  const std::string long_line(10000, 'x');
+  write_case_error(folder.path() / "e", fmt::format("{}\nmore", long_line));
   CHECK(read_case_error(folder.path() / "e").size() <= 500);
-  write_file(folder.path() / "e", std::string(10000, 'x'));
+  write_file(folder.path() / "e", long_line);
   CHECK(read_case_error(folder.path() / "e").size() <= 500);
   CHECK(read_case_error(folder.path() / "nothing").empty());
 }
