@@ -126,7 +126,7 @@ glm::mat4 perspective(float fov_y, float aspect, float near, float far) {
                    0.0f, 0.0f, (near + far) / (near - far), -1.0f,
                    0.0f, 0.0f, 2.0f * near * far / (near - far), 0.0f);
   // --- skeleton
-  // | check_frustum(fov_y, aspect, near, far);
+  // | (void)fov_y, (void)aspect, (void)near, (void)far;
   // | return glm::mat4(1.0f);
   // <<< student
 }
@@ -211,10 +211,10 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
 // ---- Further: a hall, wireframes, and where a pixel lies
 
 Mesh cylinder_wall(float radius, float height, int segments) {
+  Mesh wall;
+  // >>> student: refuse what cannot be; then two vertices for each angle 0 .. segments, two triangles for each piece between
   if (!(radius > 0.0f && height > 0.0f && segments >= 3))
     throw std::invalid_argument("cylinder_wall: radius and height must be above 0, segments at least 3");
-  Mesh wall;
-  // >>> student: two vertices for each angle 0 .. segments, two triangles for each piece between them
   for (int i = 0; i <= segments; ++i) {
     const float phi = 6.28318531f * float(i % segments) / float(segments);  // the last pair lies exactly on the first
     const glm::vec3 outward(std::cos(phi), 0.0f, std::sin(phi));
@@ -228,6 +228,7 @@ Mesh cylinder_wall(float radius, float height, int segments) {
       wall.indices.push_back(corner);
   }
   // --- skeleton
+  // | (void)radius, (void)height, (void)segments;
   // <<< student
   return wall;
 }
@@ -279,6 +280,7 @@ glm::mat4 perspective_reversed(float fov_y, float aspect, float near, float far)
                    0.0f, 0.0f, ratio / (1.0f - ratio), -1.0f,
                    0.0f, 0.0f, near / (1.0f - ratio), 0.0f);
   // --- skeleton
+  // | check_frustum(fov_y, aspect, near, far);
   // | return perspective(fov_y, aspect, near, far);
   // <<< student
 }

@@ -54,9 +54,11 @@ class Transforms : public SceneProgram {
     const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
     const GlProgram program = build_program(
         *gl_,
-        assemble_shader_text(no_includes, "layout(location = 0) in vec3 p; void main() { gl_Position = vec4(p, 1.0); }", "triangle", {}),
+        assemble_shader_text(no_includes, "layout(location = 0) in vec3 p; void main() { gl_Position = vec4(p, 1.0); }",
+                             "triangle", {}),
         assemble_shader_text(no_includes, "out vec4 o; void main() { o = vec4(0.9, 0.5, 0.1, 1.0); }", "triangle", {}));
-    const std::array<glm::vec3, 3> corners = {glm::vec3(-0.8f, -0.6f, 0), glm::vec3(0.7f, -0.8f, 0), glm::vec3(0.1f, 0.8f, 0)};
+    const std::array<glm::vec3, 3> corners = {glm::vec3(-0.8f, -0.6f, 0), glm::vec3(0.7f, -0.8f, 0),
+                                              glm::vec3(0.1f, 0.8f, 0)};
     const MeshBuffers made = transforms::upload_triangle(*gl_, corners);
     const GlVertexArray vertex_array(*gl_, made.vertex_array);
     const GlBuffer vertex_buffer(*gl_, made.vertex_buffer), index_buffer(*gl_, made.index_buffer);
@@ -83,4 +85,6 @@ class Transforms : public SceneProgram {
 
 }  // namespace atelier
 
-extern "C" atelier::StepProgram* atelier_step_program() { return new atelier::Transforms; }
+extern "C" atelier::StepProgram* atelier_step_program() {
+  return new atelier::Transforms;
+}

@@ -17,16 +17,22 @@ Numbers numbers(const glm::mat4& m) {
   return out;
 }
 
-Numbers numbers(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+Numbers numbers(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
-glm::vec3 vec3(const Arguments& in, const std::string& name) { return glm::vec3(in.vec3(name)); }
-float number(const Arguments& in, const std::string& name) { return float(in.number(name)); }
+glm::vec3 vec3(const Arguments& in, const std::string& name) {
+  return glm::vec3(in.vec3(name));
+}
+float number(const Arguments& in, const std::string& name) {
+  return float(in.number(name));
+}
 
 Numbers numbers(const Mesh& mesh) {
   Numbers out{double(mesh.vertices.size()), double(mesh.indices.size())};
   for (const Vertex& v : mesh.vertices)
-    for (const float x : {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.texcoord.x,
-                          v.texcoord.y})
+    for (const float x :
+         {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.texcoord.x, v.texcoord.y})
       out.push_back(x);
   for (const std::uint32_t i : mesh.indices) out.push_back(i);
   return out;
@@ -64,7 +70,8 @@ Numbers probe_world_matrices(ProbeContext&, const Arguments& in) {
   return out;
 }
 
-/// A chain of `depth` joints, each a step of `step` from the one before it, listed child first; where the last one stands.
+/// A chain of `depth` joints, each a step of `step` from the one before it, listed child first; where the last one
+/// stands.
 Numbers probe_deep_chain(ProbeContext&, const Arguments& in) {
   const int depth = in.integer("depth");
   std::vector<Joint> chain(std::size_t(depth), Joint{});
@@ -82,7 +89,8 @@ Numbers probe_normal_matrix(ProbeContext&, const Arguments& in) {
   return length > 0 ? Numbers{n.x / length, n.y / length, n.z / length} : Numbers{n.x, n.y, n.z};
 }
 
-/// What OpenGL remembers of the buffers: count, then for each attribute enabled, size, stride, offset; then sizes in bytes.
+/// What OpenGL remembers of the buffers: count, then for each attribute enabled, size, stride, offset; then sizes in
+/// bytes.
 Numbers describe(Gl& gl, const MeshBuffers& made, bool indexed) {
   Numbers out{double(made.count), double(made.vertex_array != 0)};
   GLint bound = 0;
@@ -151,7 +159,8 @@ std::map<std::string, Probe> transform_probes() {
       {"world_position", shader_probe(glsl, "vec4(world_position(model, position), 1.0)", 3)},
       {"world_normal", shader_probe(glsl, "vec4(world_normal(matrix, normal), 0.0)", 3)},
       {"translation", [](ProbeContext&, const Arguments& in) { return numbers(translation(vec3(in, "offset"))); }},
-      {"rotation", [](ProbeContext&, const Arguments& in) { return numbers(rotation(vec3(in, "axis"), number(in, "angle"))); }},
+      {"rotation",
+       [](ProbeContext&, const Arguments& in) { return numbers(rotation(vec3(in, "axis"), number(in, "angle"))); }},
       {"scaling", [](ProbeContext&, const Arguments& in) { return numbers(scaling(vec3(in, "factors"))); }},
       {"compose",
        [](ProbeContext&, const Arguments& in) {
@@ -162,7 +171,9 @@ std::map<std::string, Probe> transform_probes() {
        [](ProbeContext&, const Arguments& in) { return refuses([&] { world_matrices(joints(in)); }); }},
       {"deep_chain", probe_deep_chain},
       {"look_at",
-       [](ProbeContext&, const Arguments& in) { return numbers(look_at(vec3(in, "eye"), vec3(in, "target"), vec3(in, "up"))); }},
+       [](ProbeContext&, const Arguments& in) {
+         return numbers(look_at(vec3(in, "eye"), vec3(in, "target"), vec3(in, "up")));
+       }},
       {"perspective",
        [](ProbeContext&, const Arguments& in) {
          return numbers(perspective(number(in, "fov_y"), number(in, "aspect"), number(in, "near"), number(in, "far")));
@@ -203,7 +214,9 @@ std::map<std::string, Probe> transform_probes() {
          return numbers(window_position(glm::vec4(in.vec4("clip")), glm::vec4(in.vec4("viewport"))));
        }},
       {"relative_to_eye",
-       [](ProbeContext&, const Arguments& in) { return numbers(relative_to_eye(in.vec3("position"), in.vec3("eye"))); }},
+       [](ProbeContext&, const Arguments& in) {
+         return numbers(relative_to_eye(in.vec3("position"), in.vec3("eye")));
+       }},
   };
 }
 

@@ -25,11 +25,22 @@ Scene stretched() {
   const int ball = add_mesh(scene, make_icosphere({.radius = 0.8f, .subdivisions = 1}));
   const int teapot = add_mesh(scene, make_teapot({.height = 1.1f, .subdivisions = 6}));
   add_node(scene, {.name = "plain", .translation = {-3, 0.2, 0}, .mesh = ball, .material = clay});
-  add_node(scene, {.name = "stretched", .translation = {-1, 0.2, 0}, .rotation_axis = {0, 0, 1}, .rotation_angle = 0.5f,
-                   .scale = {0.45f, 1.6f, 0.8f}, .mesh = ball, .material = slate});
-  add_node(scene, {.name = "mirrored", .translation = {1.2, -0.6, 0}, .scale = {-1, 1, 1}, .mesh = teapot, .material = clay});
-  add_node(scene, {.name = "flattened", .translation = {3, 0.2, 0}, .rotation_axis = {0, 1, 0}, .rotation_angle = 0.6f,
-                   .scale = {1, 1, 0}, .mesh = ball, .material = moss});
+  add_node(scene, {.name = "stretched",
+                   .translation = {-1, 0.2, 0},
+                   .rotation_axis = {0, 0, 1},
+                   .rotation_angle = 0.5f,
+                   .scale = {0.45f, 1.6f, 0.8f},
+                   .mesh = ball,
+                   .material = slate});
+  add_node(scene,
+           {.name = "mirrored", .translation = {1.2, -0.6, 0}, .scale = {-1, 1, 1}, .mesh = teapot, .material = clay});
+  add_node(scene, {.name = "flattened",
+                   .translation = {3, 0.2, 0},
+                   .rotation_axis = {0, 1, 0},
+                   .rotation_angle = 0.6f,
+                   .scale = {1, 1, 0},
+                   .mesh = ball,
+                   .material = moss});
   scene.camera = {.eye = {0, 1.6, 11}, .target = {0, 0.1, 0}, .fov_y = degrees(40), .near = 0.5f, .far = 50};
   return scene;
 }
@@ -38,17 +49,18 @@ Scene stretched() {
 Scene hall(const Settings& settings) {
   Scene scene{.name = "hall"};
   const float radius = 6, height = 4;
-  const int plaster = matte(scene, "plaster", {0.75f, 0.7f, 0.62f}), boards = matte(scene, "boards", {0.5f, 0.33f, 0.2f}),
-            white = matte(scene, "white", {0.8f, 0.8f, 0.8f});
-  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), plaster, {.name = "wall"});
+  const int plaster = matte(scene, "plaster", {0.75f, 0.7f, 0.62f}),
+            boards = matte(scene, "boards", {0.5f, 0.33f, 0.2f}), white = matte(scene, "white", {0.8f, 0.8f, 0.8f});
+  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), plaster,
+             {.name = "wall"});
   add_object(scene, transforms::rectangle({0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}), boards, {.name = "floor"});
   add_object(scene, transforms::rectangle({0, height, 0}, {radius, 0, 0}, {0, 0, radius}), white, {.name = "ceiling"});
   scene.camera = {.eye = {-3.5, 1.7, 2}, .target = {4, 1.9, -2.5}, .fov_y = degrees(75), .near = 0.1f, .far = 40};
   return scene;
 }
 
-/// A hundred boxes, each standing on the corner of the one before it: one wrong product and the spiral falls apart. Every
-/// child is listed before its parent.
+/// A hundred boxes, each standing on the corner of the one before it: one wrong product and the spiral falls apart.
+/// Every child is listed before its parent.
 Scene spiral() {
   Scene scene{.name = "spiral"};
   scene.background = {0.04f, 0.05f, 0.07f};
@@ -57,8 +69,14 @@ Scene spiral() {
   const int count = 100;
   for (int i = 0; i < count; ++i) {
     const bool root = i + 1 == count;
-    Node node{.name = "step", .parent = root ? -1 : i + 1, .translation = {0.42, 0.24, 0}, .rotation_axis = {0, 1, 0},
-              .rotation_angle = degrees(17), .scale = glm::vec3(0.985f), .mesh = box, .material = i % 2 ? amber : teal};
+    Node node{.name = "step",
+              .parent = root ? -1 : i + 1,
+              .translation = {0.42, 0.24, 0},
+              .rotation_axis = {0, 1, 0},
+              .rotation_angle = degrees(17),
+              .scale = glm::vec3(0.985f),
+              .mesh = box,
+              .material = i % 2 ? amber : teal};
     if (root) node.translation = {0, 0, 0}, node.scale = glm::vec3(1);
     add_node(scene, node);
   }
@@ -70,11 +88,14 @@ Scene spiral() {
 Scene slats() {
   Scene scene{.name = "slats"};
   scene.background = {0.02f, 0.02f, 0.03f};
-  const int red = matte(scene, "red", {0.85f, 0.2f, 0.15f}, true), blue = matte(scene, "blue", {0.15f, 0.3f, 0.85f}, true);
+  const int red = matte(scene, "red", {0.85f, 0.2f, 0.15f}, true),
+            blue = matte(scene, "blue", {0.15f, 0.3f, 0.85f}, true);
   for (int i = 0; i < 8; ++i) {
     // In each row blue stands in front of red by a ten-thousandth of its distance.
-    const float distance = 20.0f * std::pow(2.2f, float(i)), size = distance * 0.055f, y = distance * (0.36f - 0.1f * float(i));
-    const Mesh wide = make_box({.size = {size * 14, size, size * 1e-3f}}), narrow = make_box({.size = {size * 7, size, size * 1e-3f}});
+    const float distance = 20.0f * std::pow(2.2f, float(i)), size = distance * 0.055f,
+                y = distance * (0.36f - 0.1f * float(i));
+    const Mesh wide = make_box({.size = {size * 14, size, size * 1e-3f}}),
+               narrow = make_box({.size = {size * 7, size, size * 1e-3f}});
     add_object(scene, wide, red, {.name = "behind", .translation = {0, y, -distance}});
     add_object(scene, narrow, blue, {.name = "before", .translation = {distance * 0.13f, y, -distance * (1 - 1e-4f)}});
   }
@@ -99,8 +120,12 @@ Scene plan() {
   Scene scene = make_builtin_scene("robot");
   const Box3 box = bounds(scene);
   const glm::dvec3 centre = (box.low + box.high) / 2.0;
-  scene.camera = {.eye = centre + glm::dvec3(8, 6, 8), .target = centre, .projection = Projection::orthographic,
-                  .height = float(1.3 * (box.high.y - box.low.y)), .near = -20, .far = 40};
+  scene.camera = {.eye = centre + glm::dvec3(8, 6, 8),
+                  .target = centre,
+                  .projection = Projection::orthographic,
+                  .height = float(1.3 * (box.high.y - box.low.y)),
+                  .near = -20,
+                  .far = 40};
   return scene;
 }
 
@@ -113,7 +138,10 @@ std::vector<std::string> transform_scene_names() {
 std::vector<SettingSpec> transform_scene_settings() {
   return {
       {.name = "hall.segments", .fallback = 64, .low = 3, .high = 4096, .help = "flat pieces of the hall's round wall"},
-      {.name = "world.offset", .fallback = 0.0, .low = 0, .high = 1e7,
+      {.name = "world.offset",
+       .fallback = 0.0,
+       .low = 0,
+       .high = 1e7,
        .help = "how far the scene 'far' stands from the world's origin, metres"},
   };
 }

@@ -2,10 +2,10 @@
 // stands here. The handout derives the formulas.
 //
 // Conventions of the whole course
-//   Points and directions are columns; matrices multiply from the left: p' = M p. glm stores columns: m[3] is the fourth.
-//   Right-handed space, +y up. The camera looks along -z of its own (view) space.
-//   Positions have w = 1, directions w = 0. Angles are radians. Lengths are metres.
-//   A corner travels  object --model--> world --view--> view --projection--> clip --divide by w--> -1..1 in x, y, z.
+//   Points and directions are columns; matrices multiply from the left: p' = M p. glm stores columns: m[3] is the
+//   fourth. Right-handed space, +y up. The camera looks along -z of its own (view) space. Positions have w = 1,
+//   directions w = 0. Angles are radians. Lengths are metres. A corner travels  object --model--> world --view--> view
+//   --projection--> clip --divide by w--> -1..1 in x, y, z.
 #pragma once
 
 #include <algorithm>
@@ -24,8 +24,8 @@ namespace atelier::transforms {
 glm::mat4 translation(const glm::vec3& offset);
 
 /// Turns about `axis` through the origin by `angle` radians, counter-clockwise for someone whom the axis points at
-/// (Rodrigues: R = cos I + sin [a]x + (1 - cos) a a^T, with a the unit axis). The axis may have any length; one of length
-/// zero gives the identity.
+/// (Rodrigues: R = cos I + sin [a]x + (1 - cos) a a^T, with a the unit axis). The axis may have any length; one of
+/// length zero gives the identity.
 glm::mat4 rotation(const glm::vec3& axis, float angle);
 
 /// Multiplies x, y and z by the factors, which may be negative or zero.
@@ -36,7 +36,8 @@ glm::mat4 compose(const glm::vec3& offset, const glm::vec3& axis, float angle, c
 
 /// World matrices of a hierarchy, in the order of `joints`. A root's is its own local matrix; a child's is its parent's
 /// world matrix times its own. Parents may stand before or after their children; chains may be thousands deep (do not
-/// recurse once a level). Throws std::invalid_argument where a parent is none of -1 .. size-1, or where parents form a cycle.
+/// recurse once a level). Throws std::invalid_argument where a parent is none of -1 .. size-1, or where parents form a
+/// cycle.
 std::vector<glm::mat4> world_matrices(std::span<const Joint> joints);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -44,14 +45,15 @@ std::vector<glm::mat4> world_matrices(std::span<const Joint> joints);
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The view matrix of a camera at `eye` that looks at `target` with `up` pointing upwards in the picture: takes the eye
-/// to the origin, the way it looks to -z, and keeps lengths and angles. `up` need not be a unit vector nor square to the
-/// way it looks. Where up is parallel to it (or zero), the first of the axes x, y, z stands in that has the smallest
-/// |component| of the viewing direction; where eye = target, the camera looks along -z.
+/// to the origin, the way it looks to -z, and keeps lengths and angles. `up` need not be a unit vector nor square to
+/// the way it looks. Where up is parallel to it (or zero), the first of the axes x, y, z stands in that has the
+/// smallest |component| of the viewing direction; where eye = target, the camera looks along -z.
 glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
 
-/// Perspective with the full vertical angle `fov_y` (radians) and aspect = width / height; the planes at distance `near`
-/// and `far` before the eye become depth -1 and +1. Throws std::invalid_argument unless 0 < fov_y <= 179 degrees (at 180
-/// the tangent is infinite, and in floats even negative: the picture would be mirrored), aspect > 0, 0 < near < far.
+/// Perspective with the full vertical angle `fov_y` (radians) and aspect = width / height; the planes at distance
+/// `near` and `far` before the eye become depth -1 and +1. Throws std::invalid_argument unless 0 < fov_y <= 179 degrees
+/// (at 180 the tangent is infinite, and in floats even negative: the picture would be mirrored), aspect > 0, 0 < near <
+/// far.
 glm::mat4 perspective(float fov_y, float aspect, float near, float far);
 
 /// The box left..right, bottom..top, -near..-far of view space becomes the cube -1..1. Near may be negative. Throws
@@ -63,9 +65,9 @@ glm::mat4 orthographic(float left, float right, float bottom, float top, float n
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The matrix that takes normals along with the surface: sign(det M) cofactor(M) of the upper left 3x3 block M, or any
-/// positive multiple of it (normals are normalised afterwards). It equals the inverse transpose times |det M|, but needs no division and so
-/// exists for flattened models too; the sign of a determinant of zero is +. Finite for every finite model, also where
-/// products of its entries overflow a float (divide M by its largest entry first).
+/// positive multiple of it (normals are normalised afterwards). It equals the inverse transpose times |det M|, but
+/// needs no division and so exists for flattened models too; the sign of a determinant of zero is +. Finite for every
+/// finite model, also where products of its entries overflow a float (divide M by its largest entry first).
 glm::mat3 normal_matrix(const glm::mat4& model);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -85,24 +87,26 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
 // Further: a hall, wireframes, and where a pixel lies
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The wall of a cylindrical hall about the y axis from y = 0 to y = height, seen from INSIDE, in `segments` flat pieces.
-/// Vertices: for i = 0 .. segments, angle phi = 2 pi i / segments, first the lower (y = 0), then the upper (y = height) at
-/// (radius cos phi, y, radius sin phi), normal towards the axis, texcoord (i / segments, y / height): 2 (segments + 1) in
-/// all, because the seam has two u. The last pair lies exactly on the first. Each piece is two triangles, counter-clockwise
-/// seen from the axis, over its lower-left, lower-right, upper-right, upper-left corner as a hall's visitor sees them (the
-/// diagonal goes from lower left to upper right). Throws std::invalid_argument unless radius > 0, height > 0, segments >= 3.
+/// The wall of a cylindrical hall about the y axis from y = 0 to y = height, seen from INSIDE, in `segments` flat
+/// pieces. Vertices: for i = 0 .. segments, angle phi = 2 pi i / segments, first the lower (y = 0), then the upper (y =
+/// height) at (radius cos phi, y, radius sin phi), normal towards the axis, texcoord (i / segments, y / height): 2
+/// (segments + 1) in all, because the seam has two u. The last pair lies exactly on the first. Each piece is two
+/// triangles, counter-clockwise seen from the axis, over its lower-left, lower-right, upper-right, upper-left corner as
+/// a hall's visitor sees them (the diagonal goes from lower left to upper right). Throws std::invalid_argument unless
+/// radius > 0, height > 0, segments >= 3.
 Mesh cylinder_wall(float radius, float height, int segments);
 
-/// A flat rectangle centre +- half_u +- half_v with the normal half_u x half_v: four vertices in the order (-u-v), (+u-v),
-/// (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the diagonal from the first to the
-/// third. The hall's floor and ceiling are such squares: the wall hides their corners.
+/// A flat rectangle centre +- half_u +- half_v with the normal half_u x half_v: four vertices in the order (-u-v),
+/// (+u-v),
+/// (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the diagonal from the first to
+/// the third. The hall's floor and ceiling are such squares: the wall hides their corners.
 Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3& half_v);
 
 /// From then on triangles are drawn as edges (on), or filled again (off).
 void set_wireframe(Gl& gl, bool on);
 
-/// Where a clip-space point appears: x and y in pixels from the lower left corner of the viewport (x, y, width, height),
-/// z as depth 0..1. This is what OpenGL does after your vertex shader; w > 0 is taken for granted.
+/// Where a clip-space point appears: x and y in pixels from the lower left corner of the viewport (x, y, width,
+/// height), z as depth 0..1. This is what OpenGL does after your vertex shader; w > 0 is taken for granted.
 glm::vec3 window_position(const glm::vec4& clip, const glm::vec4& viewport);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -114,8 +118,8 @@ glm::vec3 window_position(const glm::vec4& clip, const glm::vec4& viewport);
 /// Throws as `perspective` does.
 glm::mat4 perspective_reversed(float fov_y, float aspect, float near, float far);
 
-/// `position` as seen from `eye`, as floats: the difference is taken in double precision, *before* anything is rounded. A
-/// million metres from the origin a float knows positions to 6 cm; their difference keeps everything.
+/// `position` as seen from `eye`, as floats: the difference is taken in double precision, *before* anything is rounded.
+/// A million metres from the origin a float knows positions to 6 cm; their difference keeps everything.
 glm::vec3 relative_to_eye(const glm::dvec3& position, const glm::dvec3& eye);
 
 }  // namespace atelier::transforms

@@ -9,7 +9,9 @@ namespace atelier {
 
 namespace {
 
-bool has_specular(const Material& material) { return material.specular != glm::vec3(0); }
+bool has_specular(const Material& material) {
+  return material.specular != glm::vec3(0);
+}
 
 /// The lights of one type, at most `limit` lights of the scene counted in its order.
 std::vector<const Light*> lights_of(const Scene& scene, LightType type, int limit) {
@@ -26,29 +28,47 @@ Image encoded(Image image) {
 }
 
 Image decoded(Image image) {
-  for (Rgba& p : image.pixels()) p = {blinn_phong::srgb_decode(p.r), blinn_phong::srgb_decode(p.g), blinn_phong::srgb_decode(p.b), p.a};
+  for (Rgba& p : image.pixels())
+    p = {blinn_phong::srgb_decode(p.r), blinn_phong::srgb_decode(p.g), blinn_phong::srgb_decode(p.b), p.a};
   return image;
 }
 
 Filter chosen_filter(const std::string& choice, Filter of_scene) {
-  return choice == "nearest" ? Filter::nearest : choice == "linear" ? Filter::linear : choice == "mipmap" ? Filter::mipmap : of_scene;
+  return choice == "nearest"  ? Filter::nearest
+         : choice == "linear" ? Filter::linear
+         : choice == "mipmap" ? Filter::mipmap
+                              : of_scene;
 }
 
 }  // namespace
 
 std::vector<SettingSpec> lit_surface_settings() {
   return {
-      {.name = "shading", .fallback = std::string("pixel"), .choices = {"pixel", "vertex"},
+      {.name = "shading",
+       .fallback = std::string("pixel"),
+       .choices = {"pixel", "vertex"},
        .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"},
-      {.name = "specular.normalisation", .fallback = std::string("none"), .choices = {"none", "n+8", "exact"},
+      {.name = "specular.normalisation",
+       .fallback = std::string("none"),
+       .choices = {"none", "n+8", "exact"},
        .help = "the factor that keeps a highlight's energy when the exponent changes"},
-      {.name = "specular.power", .fallback = std::string("direct"), .choices = {"direct", "stable", "table"},
+      {.name = "specular.power",
+       .fallback = std::string("direct"),
+       .choices = {"direct", "stable", "table"},
        .help = "how the cosine is raised to the exponent"},
       {.name = "specular.table_size", .fallback = 256, .low = 2, .high = 4096, .help = "entries of the power table"},
-      {.name = "light.count", .fallback = 64, .low = 0, .high = 64, .help = "how many of the scene's lights shine, in their order"},
-      {.name = "texture.filter", .fallback = std::string("scene"), .choices = {"scene", "nearest", "linear", "mipmap"},
+      {.name = "light.count",
+       .fallback = 64,
+       .low = 0,
+       .high = 64,
+       .help = "how many of the scene's lights shine, in their order"},
+      {.name = "texture.filter",
+       .fallback = std::string("scene"),
+       .choices = {"scene", "nearest", "linear", "mipmap"},
        .help = "how texels become a colour; scene: as each texture says"},
-      {.name = "texture.decode", .fallback = std::string("before"), .choices = {"before", "after"},
+      {.name = "texture.decode",
+       .fallback = std::string("before"),
+       .choices = {"before", "after"},
        .help = "when texels are decoded from sRGB: before filtering (right), or after it (cheaper to store)"},
   };
 }
@@ -77,7 +97,8 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
       const Image stored = encoded(texture.pixels);
       const Image base = decode_after_filter_ ? stored : decoded(stored);
       const Filter filter = chosen_filter(filter_, texture.filter);
-      const std::vector<Image> levels = filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
+      const std::vector<Image> levels =
+          filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
       textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
     }
 }
@@ -157,7 +178,8 @@ void LitSurface::bind_material(Binder& binder, const Scene&, const Material& mat
   if (!has_specular(material)) return;
   binder.set("u_specular", material.specular);
   binder.set("u_exponent", material.exponent);
-  if (material.specular_texture) binder.texture("u_specular_map", textures_[std::size_t(*material.specular_texture)].id());
+  if (material.specular_texture)
+    binder.texture("u_specular_map", textures_[std::size_t(*material.specular_texture)].id());
   if (power_ == Power::table) binder.texture("u_power_table", power_table_for(material.exponent));
 }
 

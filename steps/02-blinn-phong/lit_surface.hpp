@@ -28,8 +28,8 @@ class LitSurface : public Feature {
   std::string filter_ = "scene";
 
   Gl* gl_ = nullptr;
-  std::vector<GlTexture> textures_;             ///< by index in the scene; empty where no material uses it
-  std::map<float, GlTexture> power_tables_;     ///< by exponent
+  std::vector<GlTexture> textures_;          ///< by index in the scene; empty where no material uses it
+  std::map<float, GlTexture> power_tables_;  ///< by exponent
 };
 
 }  // namespace atelier

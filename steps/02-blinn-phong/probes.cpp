@@ -42,8 +42,12 @@ Numbers probe_mipmaps(ProbeContext&, const Arguments& in) {
   return out;
 }
 
-Wrap wrap_of(int code) { return code == 0 ? Wrap::repeat : code == 1 ? Wrap::mirrored_repeat : Wrap::clamp_to_edge; }
-Filter filter_of(int code) { return code == 0 ? Filter::nearest : code == 1 ? Filter::linear : Filter::mipmap; }
+Wrap wrap_of(int code) {
+  return code == 0 ? Wrap::repeat : code == 1 ? Wrap::mirrored_repeat : Wrap::clamp_to_edge;
+}
+Filter filter_of(int code) {
+  return code == 0 ? Filter::nearest : code == 1 ? Filter::linear : Filter::mipmap;
+}
 
 /// What OpenGL remembers of a texture of 4x2 pixels: filters, wraps, highest level, size and format of level 0, and its
 /// lower left texel.
@@ -56,7 +60,8 @@ Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   const GlTexture texture(gl, blinn_phong::upload_texture(gl, levels, wrap_of(in.integer("wrap")), filter));
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   Numbers out;
-  for (const GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_MAX_LEVEL}) {
+  for (const GLenum name :
+       {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_MAX_LEVEL}) {
     GLint value = 0;
     gl.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
     out.push_back(value);
@@ -92,8 +97,10 @@ Numbers probe_power_table(ProbeContext&, const Arguments& in) {
 
 std::map<std::string, Probe> blinn_phong_probes() {
   std::map<std::string, Probe> probes = {
-      {"srgb_encode", [](ProbeContext&, const Arguments& in) { return Numbers{blinn_phong::srgb_encode(float(in.number("x")))}; }},
-      {"srgb_decode", [](ProbeContext&, const Arguments& in) { return Numbers{blinn_phong::srgb_decode(float(in.number("x")))}; }},
+      {"srgb_encode",
+       [](ProbeContext&, const Arguments& in) { return Numbers{blinn_phong::srgb_encode(float(in.number("x")))}; }},
+      {"srgb_decode",
+       [](ProbeContext&, const Arguments& in) { return Numbers{blinn_phong::srgb_decode(float(in.number("x")))}; }},
       {"glsl_srgb_encode", shader_probe(glsl(), "vec4(srgb_encode(colour), 0.0)", 3)},
       {"glsl_srgb_decode", shader_probe(glsl(), "vec4(srgb_decode(colour), 0.0)", 3)},
       {"mipmaps", probe_mipmaps},
@@ -108,7 +115,8 @@ std::map<std::string, Probe> blinn_phong_probes() {
       {"attenuation", shader_probe(glsl(), "vec4(attenuation(distance_to_light, coefficients))", 1)},
       {"spot_cone", shader_probe(glsl(), "vec4(spot_cone(to_light, axis, cos_inner, cos_outer))", 1)},
       {"reflected",
-       shader_probe(glsl(), "vec4(reflected(normal, to_eye, to_light, Material(diffuse, specular, exponent)), 0.0)", 3)},
+       shader_probe(glsl(), "vec4(reflected(normal, to_eye, to_light, Material(diffuse, specular, exponent)), 0.0)",
+                    3)},
       {"highlight", shader_probe(glsl(0, 0), "vec4(highlight(normal, half_vector, exponent))", 1)},
       {"highlight_stable", shader_probe(glsl(0, 1), "vec4(highlight(normal, half_vector, exponent))", 1)},
       {"normalisation_none", shader_probe(glsl(0), "vec4(specular_normalisation(exponent))", 1)},
@@ -125,6 +133,9 @@ std::map<std::string, Probe> blinn_phong_probes() {
     probes[fmt::format("arriving_from_{}", name)] = shader_probe(to_light, "vec4(" + call + ", 0.0)", 3);
     probes[fmt::format("to_{}_light", name)] = shader_probe(to_light, "vec4(" + call + " * 0.0 + to_light, 0.0)", 3);
   }
+  probes["point_light_red_and_length"] =
+      shader_probe(to_light + "vec4 red_and_length(vec3 light) { return vec4(light.r, length(to_light), 0.0, 0.0); }\n",
+                   "red_and_length(arriving_from_point(" + point + ", position, to_light))", 2);
   return probes;
 }
 

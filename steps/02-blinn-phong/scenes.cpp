@@ -28,7 +28,8 @@ Scene facets() {
 Scene backlight() {
   Scene scene{.name = "backlight"};
   scene.ambient = glm::vec3(0.02f);
-  const int glaze = add_material(scene, {.name = "glaze", .diffuse = {0.1f, 0.25f, 0.45f}, .specular = glm::vec3(0.8f), .exponent = 4});
+  const int glaze = add_material(
+      scene, {.name = "glaze", .diffuse = {0.1f, 0.25f, 0.45f}, .specular = glm::vec3(0.8f), .exponent = 4});
   add_object(scene, make_torus({}), glaze, {.name = "ring", .rotation_axis = {1, 0, 0}, .rotation_angle = degrees(70)});
   add_light(scene, {.type = LightType::directional, .direction = {0.5f, -0.35f, 1.0f}, .colour = glm::vec3(1.2f)});
   add_light(scene, {.type = LightType::directional, .direction = {0.8f, -0.6f, -0.4f}, .colour = glm::vec3(0.5f)});
@@ -44,10 +45,18 @@ Scene spots() {
   const int knob = add_material(scene, plastic("knob", {0.6f, 0.55f, 0.5f}, 80));
   add_object(scene, make_plane({.width = 9, .depth = 7}), floor, {.name = "floor"});
   add_object(scene, make_sphere({.radius = 0.5f}), knob, {.name = "knob", .translation = {0, 0.5, 0.4}});
-  add_light(scene, {.type = LightType::spot, .position = {-2.6, 3, 0.8}, .direction = {0.45f, -1, -0.2f}, .colour = {9, 6.5f, 3},
-                    .inner_angle = degrees(14), .outer_angle = degrees(27)});
-  add_light(scene, {.type = LightType::spot, .position = {2.4, 3, 1}, .direction = {-0.25f, -1, -0.3f}, .colour = {3, 6, 9},
-                    .inner_angle = degrees(22), .outer_angle = degrees(22)});
+  add_light(scene, {.type = LightType::spot,
+                    .position = {-2.6, 3, 0.8},
+                    .direction = {0.45f, -1, -0.2f},
+                    .colour = {9, 6.5f, 3},
+                    .inner_angle = degrees(14),
+                    .outer_angle = degrees(27)});
+  add_light(scene, {.type = LightType::spot,
+                    .position = {2.4, 3, 1},
+                    .direction = {-0.25f, -1, -0.3f},
+                    .colour = {3, 6, 9},
+                    .inner_angle = degrees(22),
+                    .outer_angle = degrees(22)});
   scene.camera = {.eye = {0, 3.2, 6.2}, .target = {0, 0.1, 0}, .fov_y = degrees(45), .near = 0.5f, .far = 30};
   return scene;
 }
@@ -62,7 +71,8 @@ Scene tiles() {
   Material floor{.name = "floor", .diffuse = glm::vec3(1)}, crate{.name = "crate", .diffuse = glm::vec3(1)};
   floor.diffuse_texture = grid;
   crate.diffuse_texture = wood;
-  add_object(scene, make_plane({.width = 24, .depth = 24, .repeat = {8, 8}}), add_material(scene, floor), {.name = "floor"});
+  add_object(scene, make_plane({.width = 24, .depth = 24, .repeat = {8, 8}}), add_material(scene, floor),
+             {.name = "floor"});
   add_object(scene, make_box({.size = glm::vec3(1.2f)}), add_material(scene, crate),
              {.name = "crate", .translation = {0.8, 0.6, 1.5}, .rotation_angle = degrees(30)});
   add_light(scene, {.type = LightType::directional, .direction = {-0.4f, -1, -0.5f}, .colour = glm::vec3(0.7f)});
@@ -74,16 +84,20 @@ Scene tiles() {
 Scene festival() {
   Scene scene{.name = "festival"};
   scene.ambient = glm::vec3(0.01f);
-  add_object(scene, make_plane({.width = 10, .depth = 10}), add_material(scene, plastic("floor", glm::vec3(0.45f), 40)), {.name = "floor"});
+  add_object(scene, make_plane({.width = 10, .depth = 10}), add_material(scene, plastic("floor", glm::vec3(0.45f), 40)),
+             {.name = "floor"});
   const int knob = add_material(scene, plastic("knob", glm::vec3(0.7f), 90));
   for (int i = 0; i < 9; ++i)
-    add_object(scene, make_sphere({.radius = 0.4f}), knob, {.name = "knob", .translation = {(i % 3 - 1) * 2.4, 0.4, (i / 3 - 1) * 2.4}});
+    add_object(scene, make_sphere({.radius = 0.4f}), knob,
+               {.name = "knob", .translation = {(i % 3 - 1) * 2.4, 0.4, (i / 3 - 1) * 2.4}});
   for (int i = 0; i < 64; ++i) {
     const double x = (i % 8 - 3.5) * 1.15, z = (i / 8 - 3.5) * 1.15;
     const float hue = float(i) * 0.7f;
-    add_light(scene, {.type = LightType::point, .position = {x, 0.55 + 0.25 * (i % 3), z},
-                      .colour = 0.11f * (glm::vec3(1) + glm::vec3(std::cos(hue), std::cos(hue - 2.1f), std::cos(hue + 2.1f))),
-                      .attenuation = {0.05f, 0, 1}});
+    add_light(scene,
+              {.type = LightType::point,
+               .position = {x, 0.55 + 0.25 * (i % 3), z},
+               .colour = 0.11f * (glm::vec3(1) + glm::vec3(std::cos(hue), std::cos(hue - 2.1f), std::cos(hue + 2.1f))),
+               .attenuation = {0.05f, 0, 1}});
   }
   scene.camera = {.eye = {0, 5.5, 7.2}, .target = {0, 0, 0.3}, .fov_y = degrees(45), .near = 0.5f, .far = 30};
   return scene;
@@ -94,21 +108,32 @@ Scene festival() {
 Scene edges() {
   Scene scene{.name = "edges"};
   scene.ambient = glm::vec3(0.05f);
-  const int white = add_material(scene, plastic("white", glm::vec3(0.6f), 20)), black = add_material(scene, {.name = "black", .diffuse = glm::vec3(0)}),
+  const int white = add_material(scene, plastic("white", glm::vec3(0.6f), 20)),
+            black = add_material(scene, {.name = "black", .diffuse = glm::vec3(0)}),
             glow = add_material(scene, {.name = "glow", .diffuse = glm::vec3(0.2f), .emission = {1.5f, 0.6f, 0.2f}});
   add_object(scene, make_plane({.width = 6, .depth = 6}), white, {.name = "floor"});
   add_object(scene, make_sphere({.radius = 0.5f}), black, {.name = "black", .translation = {-1.3, 0.5, 0}});
   add_object(scene, make_sphere({.radius = 0.5f}), glow, {.name = "glow", .translation = {0, 0.5, 0}});
-  add_object(scene, make_sphere({.radius = 0.5f}), white, {.name = "needle", .translation = {1.3, 0.5, 0}, .scale = {0.02f, 1.4f, 0.02f}});
+  add_object(scene, make_sphere({.radius = 0.5f}), white,
+             {.name = "needle", .translation = {1.3, 0.5, 0}, .scale = {0.02f, 1.4f, 0.02f}});
   Mesh blind = make_box({.size = glm::vec3(0.6f)});
   for (Vertex& vertex : blind.vertices) vertex.normal = glm::vec3(0);
   add_object(scene, blind, white, {.name = "no normals", .translation = {2.2, 0.3, 0.6}});
   scene.camera = {.eye = {0, 2.2, 5}, .target = {0, 0.3, 0}, .fov_y = degrees(45), .near = 0.2f, .far = 30};
   add_light(scene, {.type = LightType::point, .position = {0.8, 0, 1.2}, .colour = glm::vec3(0.3f)});
   add_light(scene, {.type = LightType::point, .position = scene.camera.eye, .colour = glm::vec3(6)});
-  add_light(scene, {.type = LightType::spot, .position = {-2, 2, 1}, .direction = {0, -1, 0}, .colour = glm::vec3(50), .inner_angle = 0, .outer_angle = 0});
-  add_light(scene, {.type = LightType::spot, .position = {2, 2, -1.5}, .direction = {0, 1, 0}, .colour = {1.2f, 1.6f, 2.4f},
-                    .inner_angle = degrees(180), .outer_angle = degrees(180)});
+  add_light(scene, {.type = LightType::spot,
+                    .position = {-2, 2, 1},
+                    .direction = {0, -1, 0},
+                    .colour = glm::vec3(50),
+                    .inner_angle = 0,
+                    .outer_angle = 0});
+  add_light(scene, {.type = LightType::spot,
+                    .position = {2, 2, -1.5},
+                    .direction = {0, 1, 0},
+                    .colour = {1.2f, 1.6f, 2.4f},
+                    .inner_angle = degrees(180),
+                    .outer_angle = degrees(180)});
   return scene;
 }
 
@@ -125,13 +150,20 @@ Scene unadjusted(const std::string& name) {
 }  // namespace
 
 std::vector<std::string> blinn_phong_scene_names() {
-  return {"teapot", "sphere", "materials", "lights", "facets", "backlight", "spots", "tiles", "festival", "edges", "room", "hall"};
+  return {"teapot", "sphere", "materials", "lights", "facets", "backlight",
+          "spots",  "tiles",  "festival",  "edges",  "room",   "hall"};
 }
 
 std::vector<SettingSpec> blinn_phong_scene_settings() {
   return {
-      {.name = "material.exponent", .fallback = -1.0, .low = -1, .high = 1e6, .help = "the exponent of every material; -1: its own"},
-      {.name = "material.balance", .fallback = false, .help = "scale materials so that diffuse and specular colour together are at most 1"},
+      {.name = "material.exponent",
+       .fallback = -1.0,
+       .low = -1,
+       .high = 1e6,
+       .help = "the exponent of every material; -1: its own"},
+      {.name = "material.balance",
+       .fallback = false,
+       .help = "scale materials so that diffuse and specular colour together are at most 1"},
   };
 }
 
