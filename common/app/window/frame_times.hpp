@@ -7,7 +7,7 @@
 
 namespace atelier {
 
-/// The last 31 frame times. Their median, unlike their mean, does not see the frame that compiled a shader.
+/// The last 31 frame times. Their median, unlike their mean, does not see the one that met a busy machine.
 class FrameTimes {
  public:
   void add(double seconds) {

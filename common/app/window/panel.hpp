@@ -10,8 +10,8 @@
 
 namespace atelier {
 
-/// The panel's width in units of text design: about forty letters.
-inline constexpr int panel_width = 290;
+/// The panel's width in units of text design: about forty letters; 0 where there is none.
+extern const int panel_width;
 
 /// What the panel knows beyond the viewer.
 struct PanelState {

@@ -18,6 +18,9 @@
 #include "base/error.hpp"
 
 namespace atelier {
+
+const int panel_width = 290;
+
 namespace {
 
 constexpr float font_units = 13;  ///< the size that the built-in bitmap font is drawn for
@@ -114,16 +117,17 @@ void ImGuiPanel::statistics(Viewer& viewer) const {
   if (!ImGui::CollapsingHeader("statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
   const GlCounts& counts = viewer.counts();
   const glm::dvec3 eye = viewer.camera().eye;
+  const double milliseconds = viewer.frame_seconds() * 1e3;
   const std::string text = fmt::format(
-      "frame       {:9.2f} ms (median)\n"
+      "frame       {:>9} ms (median)\n"
       "draws       {:9}\n"
       "triangles   {:9}\n"
       "programs    {:9} switches\n"
       "linked      {:9} this frame\n"
       "clears      {:9}\n"
       "eye {:.3g} {:.3g} {:.3g} m",
-      viewer.frame_seconds() * 1e3, counts.draws, counts.triangles, counts.program_switches, counts.programs_linked,
-      counts.clears, eye.x, eye.y, eye.z);
+      milliseconds > 0 ? fmt::format("{:.2f}", milliseconds) : "-", counts.draws, counts.triangles,
+      counts.program_switches, counts.programs_linked, counts.clears, eye.x, eye.y, eye.z);
   ImGui::TextUnformatted(text.c_str());
 }
 

@@ -4,6 +4,9 @@
 #include "app/window/panel.hpp"
 
 namespace atelier {
+
+const int panel_width = 0;
+
 namespace {
 
 class PlainPanel : public Panel {

@@ -22,7 +22,7 @@ std::string own_name(const std::string& name) {
 
 /// A range over several powers of ten is told apart only on a logarithmic scale.
 ImGuiSliderFlags scale_of(const SettingSpec& spec) {
-  const bool wide = spec.low > 0 && spec.high / spec.low >= 100;
+  const bool wide = spec.low > 0 ? spec.high / spec.low >= 100 : spec.high - spec.low >= 1000;
   return ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 

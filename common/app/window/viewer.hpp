@@ -65,6 +65,7 @@ class Viewer {
   /// The last good picture; null before the first.
   const Target* picture() const { return shown_.get(); }
   const GlCounts& counts() const { return counts_; }  ///< of the last good picture
+  /// The median time of the last frames that compiled no shader, in seconds; 0 where there was none yet.
   double frame_seconds() const { return times_.median(); }
 
   Trouble trouble;

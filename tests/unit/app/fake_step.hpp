@@ -75,7 +75,7 @@ inline Scene fake_scene(const std::string& name, const Settings& settings) {
   return scene;
 }
 
-/// The program; `on_draw` runs before each drawing, and may throw as a student's code may.
+/// The program; `on_load` and `on_draw` run before each loading and drawing, and may throw as a student's code may.
 class FakeStep : public SceneProgram {
  public:
   FakeStep()
@@ -90,6 +90,7 @@ class FakeStep : public SceneProgram {
 
   void load(const std::string& scene, const Settings& settings) override {
     ++loads;
+    if (on_load) on_load();
     SceneProgram::load(scene, settings);
   }
   void draw(const Frame& frame, const Settings& settings) override {
@@ -99,7 +100,7 @@ class FakeStep : public SceneProgram {
     SceneProgram::draw(frame, settings);
   }
 
-  std::function<void()> on_draw;
+  std::function<void()> on_load, on_draw;
   int loads = 0, draws = 0;
   double last_time = -1;
 };

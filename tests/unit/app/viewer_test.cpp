@@ -198,6 +198,20 @@ TEST_CASE("a scene that cannot be loaded is trouble, and another can be chosen",
   CHECK_FALSE(viewer.trouble.any());
 }
 
+TEST_CASE("what failed while a scene was loaded is loaded again", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  room.step.on_load = [] { throw Error("upload_mesh: no buffer"); };
+  CHECK_FALSE(viewer.draw());
+  CHECK(mentions(viewer.trouble.drawing, {"upload_mesh"}));
+  CHECK(room.step.draws == 0);  // there is nothing to draw
+  room.step.on_load = nullptr;
+  CHECK(viewer.retry());
+  CHECK(viewer.draw());
+  CHECK(room.step.loads == 2);
+  CHECK(viewer.camera().eye == glm::dvec3(1, 1.5, 3));  // the scene's own, which the first try did not bring
+}
+
 TEST_CASE("a changed shader is seen; a broken one leaves the picture", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;

@@ -146,10 +146,16 @@ TEST_CASE("a world far away looks like the same world at the origin", "[renderer
   CHECK(count(relative(near, true), grey) ==
         Approx(count(relative(near, false), grey)).margin(3));  // roundings on edges
 
-  Scene child = far;  // a matrix in place of translation and rotation, and a child that hangs below it
+  Scene child = far;  // hung below a group: only roots stand in world space
   child.nodes[0].mesh.reset();
   child.nodes.push_back({.parent = 0, .mesh = 0});
   CHECK(relative(child, true) == relative(near, true));
+
+  Scene matrix = near, far_matrix = far;  // a matrix holds floats, in which an eighth is still exact at 2^20
+  matrix.nodes[0].matrix = glm::translate(glm::mat4(1), glm::vec3(0.125f, 0, 0));
+  far_matrix.nodes[0].matrix = glm::translate(glm::mat4(1), glm::vec3(offset) + glm::vec3(0.125f, 0, 0));
+  CHECK(relative(far_matrix, true) == relative(matrix, true));
+  CHECK(count(relative(matrix, true), grey) > 600);  // it is in sight: some 750 of 3072 pixels
 }
 
 TEST_CASE("the nearer surface is seen, whatever is drawn first", "[renderer]") {
@@ -274,6 +280,9 @@ TEST_CASE("edges can be drawn, and leave nothing behind", "[renderer]") {
   const Image edges = studio.draw(scene, {.camera = scene.camera, .wireframe = true});
   CHECK(count(edges, grey) > 20);
   CHECK(count(edges, grey) < count(plain, grey) / 2);
+  GLint mode[2] = {};
+  studio.gl().GetIntegerv(GL_POLYGON_MODE, mode);
+  CHECK(mode[0] == GL_FILL);  // whoever draws next, a window say, must not find it changed
   CHECK(studio.draw(scene) == plain);
 }
 
