@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
 
 #include "base/error.hpp"
+#include "case/suggest.hpp"
 #include "cli/commands.hpp"
 
 namespace atelier {
@@ -130,6 +132,16 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
       ->excludes(quick);
 }
 
+/// CLI11 would say that a command is missing; what helps is which one was meant.
+void refuse_unknown_command(const CLI::App& app, int count, char** arguments) {
+  if (count < 2 || arguments[1][0] == '-') return;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const std::string& named = arguments[1];
+  if (std::find(known.begin(), known.end(), named) == known.end())
+    throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
+}
+
 int run(int count, char** arguments) {
   AllOptions options;
   Interface interface;
@@ -138,6 +150,7 @@ int run(int count, char** arguments) {
   describe_for_students(interface, options);
   describe_for_graders(interface, options);
   describe_for_authors(interface, options);
+  refuse_unknown_command(interface.app, count, arguments);
   try {
     interface.app.parse(count, arguments);
   } catch (const CLI::CallForHelp& help) {

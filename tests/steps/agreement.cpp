@@ -46,7 +46,7 @@ bool same_answer(const Answer& a, const Answer& b) {
 
 TEST_CASE("verdicts do not depend on how they came about", "[agreement]") {
   for (const auto& submission : {folders().solutions(), folders().steps()}) {
-    const auto expected = verdicts(grade(submission));
+    const auto expected = verdicts(graded(submission));
     struct Row {
       const char* name;
       std::vector<std::string> options;
@@ -55,7 +55,7 @@ TEST_CASE("verdicts do not depend on how they came about", "[agreement]") {
                            Row{"EGL", {"--context", "egl"}}}) {
       INFO(submission.string() << ", " << row.name);
       if (row.options[0] == "--context" && !has_egl()) SKIP_TEST("there is no EGL here");
-      CHECK(verdicts(grade(submission, row.options)) == expected);
+      CHECK(verdicts(graded(submission, row.options)) == expected);
     }
   }
 }

@@ -18,7 +18,7 @@ Finished run_atelier(std::vector<std::string> arguments) {
   return run_process({.arguments = arguments, .folder = folders().root, .output_limit = 16 << 20});
 }
 
-nlohmann::json grade(const std::filesystem::path& submission, const std::vector<std::string>& options) {
+nlohmann::json graded(const std::filesystem::path& submission, const std::vector<std::string>& options) {
   const TemporaryFolder out("atelier-steps-test");
   std::vector<std::string> arguments = {"grade", submission.string(), "--out", out.path().string()};
   arguments.insert(arguments.end(), options.begin(), options.end());

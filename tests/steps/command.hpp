@@ -19,7 +19,7 @@ std::vector<CourseStep> course();
 Finished run_atelier(std::vector<std::string> arguments);
 
 /// results.json of `grade SUBMISSION OPTIONS...`, whose exit status must be 0.
-nlohmann::json grade(const std::filesystem::path& submission, const std::vector<std::string>& options = {});
+nlohmann::json graded(const std::filesystem::path& submission, const std::vector<std::string>& options = {});
 
 /// What `command ... --json` prints, and its exit status.
 struct Printed {

@@ -16,7 +16,7 @@ TEST_CASE("the skeletons are those of the solutions", "[skeletons]") {
 }
 
 TEST_CASE("untouched skeletons build without a warning, do not crash, and earn nothing", "[skeletons]") {
-  const json results = grade(folders().steps());
+  const json results = graded(folders().steps());
   REQUIRE(results["steps"].size() == course().size());
   for (const json& step : results["steps"]) {
     const std::string name = step["step"];

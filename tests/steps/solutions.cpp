@@ -8,7 +8,7 @@ using namespace atelier::test;
 using nlohmann::json;
 
 TEST_CASE("the solutions get all points", "[solutions]") {
-  const json results = grade(folders().solutions());
+  const json results = graded(folders().solutions());
   REQUIRE(results["steps"].size() == course().size());
   CHECK(results["score"] == results["max_score"]);
   for (const json& step : results["steps"]) {
@@ -47,8 +47,8 @@ TEST_CASE("grading writes three files that agree", "[solutions]") {
 TEST_CASE("a step that was not handed in is missing where it was asked for, and no step otherwise", "[solutions]") {
   const TemporaryFolder submission;
   std::filesystem::copy(folders().solutions() / "00-hello", submission.path() / "00-hello");
-  CHECK(grade(submission.path())["steps"].size() == 1);
-  const json results = grade(submission.path(), {"--step", "00", "--step", "01"});
+  CHECK(graded(submission.path())["steps"].size() == 1);
+  const json results = graded(submission.path(), {"--step", "00", "--step", "01"});
   REQUIRE(results["steps"].size() == 2);
   for (const json& c : results["steps"][1]["cases"]) {
     CHECK(c["status"] == "missing");
@@ -62,7 +62,7 @@ TEST_CASE("a missing file and a file that does not compile fail the build of tha
     std::filesystem::copy(folders().solutions() / step, submission.path() / step);
   std::filesystem::remove(submission.path() / "02-blinn-phong" / "blinn_phong.glsl");
   write_file(submission.path() / "01-transforms" / "transforms.cpp", std::string_view("this is no C++\n"));
-  const json results = grade(submission.path());
+  const json results = graded(submission.path());
   REQUIRE(results["steps"].size() == 3);
   for (const json& c : results["steps"][0]["cases"]) CHECK(c["status"] == "passed");
   for (int broken : {1, 2}) {
