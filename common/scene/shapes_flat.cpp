@@ -101,6 +101,7 @@ namespace {
 Mesh floor_disc(float radius, int segments) {
   Mesh floor = make_disc({radius, segments});
   turn_inside_out(floor);
+  for (Vertex& vertex : floor.vertices) vertex.texcoord.x = 1 - vertex.texcoord.x;  // not mirrored when seen from below
   return floor;
 }
 

@@ -140,10 +140,13 @@ void add_revolved(Mesh& mesh, const Profile& profile, double top, double bottom_
   for (int q = 0; q < 4; ++q) add_patch(mesh, revolve(profile, q), {q / 4.0, (q + 1) / 4.0, top, bottom_v}, shape);
 }
 
-/// Both halves of a tube, once around the texture.
+/// Both halves of a tube, once around the texture. Where v of the texture rises along the patch, u runs the other way
+/// round, or the picture would be mirrored.
 void add_mirrored(Mesh& mesh, const Patch& half, double top, double bottom_v, const TeapotShape& shape) {
-  add_patch(mesh, mirror(half), {0, 0.5, top, bottom_v}, shape);
-  add_patch(mesh, walk_back(half), {0.5, 1, top, bottom_v}, shape);
+  const bool rising = top < bottom_v;
+  const double start = rising ? 1 : 0, end = rising ? 0 : 1;
+  add_patch(mesh, mirror(half), {start, 0.5, top, bottom_v}, shape);
+  add_patch(mesh, walk_back(half), {0.5, end, top, bottom_v}, shape);
 }
 
 }  // namespace

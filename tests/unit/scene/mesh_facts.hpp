@@ -16,6 +16,7 @@ struct MeshFacts {
   double least_agreement = 1;      ///< smallest cosine between a triangle's own normal and its corners' normals
   double least_area = 1e300;       ///< of a triangle, m^2
   glm::vec2 low_texcoord{1e9f}, high_texcoord{-1e9f};
+  int mirrored = 0;    ///< triangles whose texture, seen from the front, runs the wrong way round
   int euler = 0;       ///< corners - edges + faces, corners at equal places taken as one
   bool closed = true;  ///< every edge is walked once in each direction
   double volume = 0;   ///< m^3, by the divergence theorem; positive where the front is outside
@@ -46,6 +47,9 @@ inline MeshFacts measure(const Mesh& mesh) {
     const glm::dvec3 twice_area = glm::cross(b - a, c - a);
     facts.least_area = std::min(facts.least_area, glm::length(twice_area) / 2);
     facts.volume += glm::dot(a, twice_area) / 6;
+    const auto uv = [&](int i) { return glm::dvec2(mesh.vertices[corner[i]].texcoord); };
+    const glm::dvec2 e = uv(1) - uv(0), f = uv(2) - uv(0);
+    facts.mirrored += e.x * f.y - e.y * f.x < 0;
     for (int i = 0; i < 3; ++i) {
       const glm::dvec3 n = mesh.vertices[corner[i]].normal;
       facts.least_agreement = std::min(facts.least_agreement, glm::dot(n, glm::normalize(twice_area)));

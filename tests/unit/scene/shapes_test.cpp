@@ -71,6 +71,7 @@ TEST_CASE("every shape is a sound mesh", "[scene]") {
     CHECK(facts.low_texcoord.y >= 0);
     CHECK(facts.high_texcoord.x <= row.high_texcoord.x);
     CHECK(facts.high_texcoord.y <= row.high_texcoord.y);
+    CHECK(facts.mirrored == 0);
     CHECK(facts.closed == (row.euler != open_mesh));
     if (row.euler != open_mesh) CHECK(facts.euler == row.euler);
     if (row.volume != 0) CHECK(facts.volume == Approx(row.volume).epsilon(row.volume_tolerance));
@@ -132,14 +133,23 @@ TEST_CASE("a cylinder wall lies on its circle and misses it by the sagitta", "[s
   }
 }
 
-TEST_CASE("a picture on a wall reads from left to right from either side", "[scene]") {
-  for (const Side side : {Side::outside, Side::inside}) {
-    const Mesh wall = make_cylinder_wall({.segments = 8, .side = side});
-    for (std::size_t t = 0; t < wall.indices.size(); t += 3) {
-      // Where du and dv run right and up, seen from the front, the texture's area has the triangle's sign.
-      const auto uv = [&](int i) { return wall.vertices[wall.indices[t + i]].texcoord; };
-      const glm::vec2 e = uv(1) - uv(0), f = uv(2) - uv(0);
-      CHECK(e.x * f.y - e.y * f.x > 0);
+TEST_CASE("round shapes wear their texture from +x eastwards, south to north", "[scene]") {
+  const std::pair<const char*, Mesh> table[] = {
+      {"sphere", make_sphere({.radius = 2})},
+      {"icosphere", make_icosphere({.radius = 2, .subdivisions = 3})},
+      {"torus", make_torus()},
+      {"wall", make_cylinder_wall({.radius = 3})},
+  };
+  for (const auto& [name, mesh] : table) {
+    INFO(name);
+    for (const Vertex& v : mesh.vertices) {
+      const glm::dvec3 p(v.position);
+      const double away = std::hypot(p.x, p.z), turn = 2 * pi * v.texcoord.x;
+      if (away < 1e-3) continue;  // a pole has no longitude
+      // 1e-5: texture coordinates are floats, 6e-8 of a whole turn, and positions too.
+      CHECK(std::abs(p.x / away - std::cos(turn)) < 1e-5);
+      CHECK(std::abs(-p.z / away - std::sin(turn)) < 1e-5);
+      if (mesh.name == "sphere" || mesh.name == "icosphere") CHECK((v.texcoord.y > 0.5f) == (p.y > 1e-6));
     }
   }
 }
