@@ -12,7 +12,9 @@ namespace atelier::test {
 /// The include behind TransformFunctions::glsl, and its name.
 inline constexpr const char* transforms_name = "00-fake/transforms.glsl";
 inline constexpr const char* transforms_glsl = R"(
-vec4 clip_position(mat4 projection, mat4 view, mat4 model, vec3 p) { return projection * (view * (model * vec4(p, 1.0))); }
+vec4 clip_position(mat4 projection, mat4 view, mat4 model, vec3 p) {
+  return projection * (view * (model * vec4(p, 1.0)));
+}
 vec3 world_position(mat4 model, vec3 p) { return (model * vec4(p, 1.0)).xyz; }
 vec3 world_normal(mat3 normal_matrix, vec3 n) { return normal_matrix * n; }
 )";
