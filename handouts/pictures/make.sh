@@ -12,28 +12,27 @@ out=$root/handouts/pictures
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
+size=320x240
+
 # draw NAME STEP ARGUMENTS...: one picture into the scratch folder
 draw() {
   local name=$1 step=$2
   shift 2
-  (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --size 320x240 \
+  (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --size "$size" \
     --out "$scratch/$name.png" "$@" >/dev/null)
 }
 
 single() { cp "$scratch/$1.png" "$out/$1.png"; }
 
-# pair NAME LEFT RIGHT: 255 colours without dithering, which would look like noise in the picture
-pair() {
-  convert "$scratch/$2.png" "$scratch/$3.png" -background white +smush 8 +dither -colors 255 "PNG8:$out/$1.png"
-}
+# pair NAME LEFT RIGHT
+pair() { convert "$scratch/$2.png" "$scratch/$3.png" -background white +smush 8 "$out/$1.png"; }
 
 # mistakes STEP NAME CASE--MISTAKE...: a labelled sheet
 mistakes() {
   local step=$1 name=$2 tile arguments=()
   shift 2
   for tile in "$@"; do arguments+=(-label "${tile#*--}" "$root/tests/cases/$step/atlas/$tile.png"); done
-  montage -font DejaVu-Sans -pointsize 9 -geometry 112x112+3+3 -tile 4x "${arguments[@]}" "$scratch/$name.png"
-  convert "$scratch/$name.png" +dither -colors 255 "PNG8:$out/$name.png"
+  montage -font DejaVu-Sans -pointsize 9 -geometry 104x104+3+3 -tile 4x "${arguments[@]}" "$out/$name.png"
 }
 
 draw 00-triangle 00-hello && single 00-triangle
@@ -61,8 +60,10 @@ draw 02-edges $step --scene edges && single 02-edges
 draw diffuse $step --scene sphere --output diffuse && draw specular $step --scene sphere --output specular
 pair 02-parts diffuse specular
 draw spots $step --scene spots && draw lights $step --scene lights && pair 02-lights spots lights
+size=256x192 # fine detail all over: larger ones would weigh over 100 kB
 draw linear $step --scene tiles --set texture.filter=linear && draw mipmap $step --scene tiles
 pair 02-tiles linear mipmap
+size=320x240
 draw plain $step --scene materials && draw normalised $step --scene materials --set specular.normalisation=n+8
 pair 02-materials plain normalised
 draw pixel $step --scene facets && draw vertex $step --scene facets --set shading=vertex && pair 02-facets pixel vertex
