@@ -32,7 +32,8 @@ mistakes() {
   local step=$1 name=$2 tile arguments=()
   shift 2
   for tile in "$@"; do arguments+=(-label "${tile#*--}" "$root/tests/cases/$step/atlas/$tile.png"); done
-  montage -font DejaVu-Sans -pointsize 9 -geometry 104x104+3+3 -tile 4x "${arguments[@]}" "$out/$name.png"
+  montage -font DejaVu-Sans -pointsize 9 -geometry 104x104+3+3 -tile 4x "${arguments[@]}" "$scratch/$name.png"
+  convert "$scratch/$name.png" +dither -colors 255 "PNG8:$out/$name.png"
 }
 
 draw 00-triangle 00-hello && single 00-triangle
