@@ -10,7 +10,7 @@
 # solution's library. Students' own files are not built here: the atelier command does that with the same flags
 # (step_flags.json), so that what a student breaks stops nothing else.
 
-set(ATELIER_STUDENT_FLAGS -std=c++20 -O2 -g1 -fPIC -ffp-contract=off -Wall -Wextra -DGLM_FORCE_SILENT_WARNINGS)
+set(ATELIER_STUDENT_FLAGS -std=c++20 -O2 -g1 -fPIC -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -DGLM_FORCE_SILENT_WARNINGS)
 if(ATELIER_SANITIZE)
   list(APPEND ATELIER_STUDENT_FLAGS -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
 endif()
@@ -73,6 +73,7 @@ function(atelier_step name)
     list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/solutions/${name}/)
     add_library(solution-${name} MODULE ${sources})
     target_link_libraries(solution-${name} PRIVATE atelier_options)
+    target_compile_options(solution-${name} PRIVATE -Wno-unused-parameter)
     target_include_directories(solution-${name} PRIVATE ${PROJECT_SOURCE_DIR}/steps ${folder})
     set_target_properties(solution-${name} PROPERTIES OUTPUT_NAME step
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/implementations/solutions/${name})

@@ -12,16 +12,6 @@ nlohmann::json value_json(const SettingValue& value) {
   return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
 }
 
-std::string value_text(const SettingValue& value) {
-  struct {
-    std::string operator()(bool v) const { return v ? "on" : "off"; }
-    std::string operator()(int v) const { return fmt::format("{}", v); }
-    std::string operator()(double v) const { return fmt::format("{}", v); }
-    std::string operator()(const std::string& v) const { return v; }
-  } print;
-  return std::visit(print, value);
-}
-
 const char* encoding_name(Encoding encoding) {
   switch (encoding) {
     case Encoding::linear:
@@ -39,10 +29,11 @@ const char* encoding_name(Encoding encoding) {
 std::string list_as_text(const StepDescription& description) {
   std::string text = fmt::format("{}: {}\n\nScenes (--scene)\n", description.name, description.title);
   for (const std::string& scene : description.scenes) text += fmt::format("  {}\n", scene);
-  text += "  or a .gltf, .glb or .obj file\n\nSettings (--set NAME=VALUE)\n";
+  if (description.imports) text += "  or a .gltf, .glb or .obj file\n";
+  text += "\nSettings (--set NAME=VALUE)\n";
   for (const SettingSpec& spec : description.settings)
     text += fmt::format("  {:<24} {} (default {})\n  {:<24}   {}\n", spec.name, allowed_values(spec),
-                        value_text(spec.fallback), "", spec.help);
+                        setting_text(spec.fallback), "", spec.help);
   text += "\nOutputs (--output)\n";
   for (const OutputSpec& output : description.outputs)
     text += fmt::format("  {:<24} {}; {}\n", output.name, output.help, encoding_name(output.encoding));

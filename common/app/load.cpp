@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
 
@@ -43,17 +44,19 @@ void open_library(const std::filesystem::path& file, const std::string& step) {
 
 }  // namespace
 
-Implementations default_implementations(const std::string& step) {
+Implementations default_implementations(const StepIdentity& identity) {
   const auto mine = build_root / "implementations" / "mine", solutions = build_root / "implementations" / "solutions";
-  std::vector<Implementations::Root> roots;
-  for (const Implementations::Root& root : {Implementations::Root{mine, step},
-                                            {project_root / "steps", step},
-                                            {solutions, ""},
-                                            {project_root / "solutions", ""},
-                                            {mine, ""},
-                                            {project_root / "steps", ""}})
-    if (std::filesystem::is_directory(root.folder)) roots.push_back(root);
-  return Implementations(std::move(roots));
+  const std::string& step = identity.name;
+  const auto& libraries = identity.libraries;
+  // Shader files and library come from one hand: with the own C++ not built yet, the own GLSL has to wait too.
+  const bool has_library = std::find(libraries.begin(), libraries.end(), step) != libraries.end();
+  const bool built = !has_library || std::filesystem::exists(mine / step / "libstep.so");
+  std::vector<Implementations::Root> wanted;
+  if (built) wanted = {{mine, step}, {project_root / "steps", step}};
+  for (const auto& folder : {solutions, project_root / "solutions", mine, project_root / "steps"})
+    wanted.push_back({folder, ""});
+  std::erase_if(wanted, [](const auto& root) { return !std::filesystem::is_directory(root.folder); });
+  return Implementations(std::move(wanted));
 }
 
 Implementations with_given_files(const Implementations& implementations) {

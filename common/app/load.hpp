@@ -15,9 +15,9 @@ struct StepIdentity {
   std::vector<std::string> libraries;  ///< the steps whose compiled code it calls, in the order of loading
 };
 
-/// The search path of somebody at home: the own files of this step, and for the earlier ones the solution where it is
-/// there, otherwise the own files again. Roots that do not exist are left out.
-Implementations default_implementations(const std::string& step);
+/// The search path of somebody at home: the own files of this step where they are built, and for all else the solution
+/// where it is there, otherwise the own files again. Roots that do not exist are left out.
+Implementations default_implementations(const StepIdentity& identity);
 
 /// The same path, and behind it steps/, where the given shader files of every step are.
 Implementations with_given_files(const Implementations& implementations);

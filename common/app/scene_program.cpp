@@ -40,6 +40,7 @@ SceneProgram::SceneProgram(StepDescription description, TransformFunctions trans
       transforms_(std::move(transforms)),
       make_features_(std::move(features)),
       make_scene_(std::move(make_scene)) {
+  description_.imports = true;
   description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
   description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
   description_.outputs.push_back({"position", Encoding::data, "the position in world space, metres"});

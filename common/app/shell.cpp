@@ -59,7 +59,7 @@ int run(int count, char** arguments, const StepIdentity& identity) {
   auto line = parse_command_line(count, arguments, identity.name);
   if (!line) return exit_ok;
   const Implementations implementations =
-      with_given_files(line->implementations ? *line->implementations : default_implementations(identity.name));
+      with_given_files(line->implementations ? *line->implementations : default_implementations(identity));
   const bool headless = !line->out.empty() || !line->record.empty() || !line->cases.empty();
   if (!headless && !line->list) return run_window(identity, implementations, *line);
 

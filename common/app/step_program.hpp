@@ -28,6 +28,7 @@ struct OutputSpec {
 struct StepDescription {
   std::string name;                 ///< "01-transforms"
   std::string title;                ///< "Transforms and vertex buffers"
+  bool imports = false;             ///< whether --scene takes model files too
   std::vector<std::string> scenes;  ///< the first is the default
   std::vector<SettingSpec> settings;
   std::vector<OutputSpec> outputs;  ///< "colour" first

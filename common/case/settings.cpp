@@ -66,6 +66,16 @@ SettingValue checked(const SettingSpec& spec, SettingValue value) {
 
 }  // namespace
 
+std::string setting_text(const SettingValue& value) {
+  struct {
+    std::string operator()(bool v) const { return v ? "on" : "off"; }
+    std::string operator()(int v) const { return fmt::format("{}", v); }
+    std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest that reads back the same
+    std::string operator()(const std::string& v) const { return v; }
+  } text;
+  return std::visit(text, value);
+}
+
 std::string allowed_values(const SettingSpec& spec) {
   if (std::holds_alternative<bool>(spec.fallback)) return "on, off";
   if (is_choice(spec)) return join(spec.choices);

@@ -20,6 +20,9 @@ struct SettingSpec {
   std::string help;                  ///< one sentence with the unit: "depth texels along a side"
 };
 
+/// "2048", "off", "slope": the text that Settings::set reads back.
+std::string setting_text(const SettingValue& value);
+
 /// "on, off", "32..8192" or "none, constant, slope": what a value of this setting may be, in words.
 std::string allowed_values(const SettingSpec& spec);
 

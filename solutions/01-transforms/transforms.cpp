@@ -100,7 +100,6 @@ glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target, const glm::vec3
                        0.0f, 0.0f, 0.0f, 1.0f);
   return turn * translation(-eye);
   // --- skeleton
-  // | (void)target, (void)up;
   // | return translation(-eye);
   // <<< student
 }
@@ -126,7 +125,6 @@ glm::mat4 perspective(float fov_y, float aspect, float near, float far) {
                    0.0f, 0.0f, (near + far) / (near - far), -1.0f,
                    0.0f, 0.0f, 2.0f * near * far / (near - far), 0.0f);
   // --- skeleton
-  // | (void)fov_y, (void)aspect, (void)near, (void)far;
   // | return glm::mat4(1.0f);
   // <<< student
 }
@@ -139,7 +137,6 @@ glm::mat4 orthographic(float left, float right, float bottom, float top, float n
                    0.0f, 0.0f, -2.0f / (far - near), 0.0f,
                    -(right + left) / (right - left), -(top + bottom) / (top - bottom), -(far + near) / (far - near), 1.0f);
   // --- skeleton
-  // | (void)left, (void)right, (void)bottom, (void)top, (void)near, (void)far;
   // | return glm::mat4(1.0f);
   // <<< student
 }
@@ -157,7 +154,6 @@ glm::mat3 normal_matrix(const glm::mat4& model) {
   const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
   return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
   // --- skeleton
-  // | (void)model;
   // | return glm::mat3(1.0f);
   // <<< student
 }
@@ -177,7 +173,6 @@ MeshBuffers upload_triangle(Gl& gl, std::span<const glm::vec3, 3> positions) {
   gl.BindVertexArray(0);
   made.count = 3;
   // --- skeleton
-  // | (void)gl, (void)positions;
   // <<< student
   return made;
 }
@@ -203,7 +198,6 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
   gl.BindVertexArray(0);  // before any other index buffer is bound: the vertex array remembers the last one
   made.count = GLsizei(indices.size());
   // --- skeleton
-  // | (void)gl, (void)vertices, (void)indices;
   // <<< student
   return made;
 }
@@ -228,7 +222,6 @@ Mesh cylinder_wall(float radius, float height, int segments) {
       wall.indices.push_back(corner);
   }
   // --- skeleton
-  // | (void)radius, (void)height, (void)segments;
   // <<< student
   return wall;
 }
@@ -243,7 +236,6 @@ Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3
                    {centre - half_u + half_v, normal, {0, 1}}};
   flat.indices = {0, 1, 2, 0, 2, 3};
   // --- skeleton
-  // | (void)centre, (void)half_u, (void)half_v;
   // <<< student
   return flat;
 }
@@ -252,7 +244,6 @@ void set_wireframe(Gl& gl, bool on) {
   // >>> student: glPolygonMode
   gl.PolygonMode(GL_FRONT_AND_BACK, GLenum(on ? GL_LINE : GL_FILL));
   // --- skeleton
-  // | (void)gl, (void)on;
   // <<< student
 }
 
@@ -263,7 +254,6 @@ glm::vec3 window_position(const glm::vec4& clip, const glm::vec4& viewport) {
           viewport.y + (device.y + 1.0f) / 2.0f * viewport.w,
           (device.z + 1.0f) / 2.0f};
   // --- skeleton
-  // | (void)viewport;
   // | return glm::vec3(clip);
   // <<< student
 }

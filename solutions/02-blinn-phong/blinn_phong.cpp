@@ -68,7 +68,6 @@ GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter f
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, GLint(levels.size()) - 1);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   // --- skeleton
-  // | (void)gl, (void)levels, (void)wrap, (void)filter;
   // <<< student
   return texture;
 }
@@ -80,7 +79,6 @@ glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
   const auto cosine = [](float angle) { return angle >= 3.14159265f ? -1.0f : std::cos(angle); };
   return {cosine(inner_angle), cosine(outer_angle)};
   // --- skeleton
-  // | (void)inner_angle, (void)outer_angle;
   // | return {1.0f, -1.0f};
   // <<< student
 }
@@ -93,7 +91,6 @@ void balance(glm::vec3& diffuse, glm::vec3& specular) {
   diffuse /= largest;
   specular /= largest;
   // --- skeleton
-  // | (void)diffuse, (void)specular;
   // <<< student
 }
 

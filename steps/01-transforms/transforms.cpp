@@ -36,7 +36,6 @@ std::vector<glm::mat4> world_matrices(std::span<const Joint> joints) {
 
 glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
   // TODO(01-transforms): the camera's three axes as rows, then the eye taken to the origin
-  (void)target, (void)up;
   return translation(-eye);
 }
 
@@ -54,13 +53,11 @@ void check_frustum(float fov_y, float aspect, float near, float far) {
 
 glm::mat4 perspective(float fov_y, float aspect, float near, float far) {
   // TODO(01-transforms): refuse what cannot be (check_frustum), then w = -z, and depth from -1 at near to +1 at far
-  (void)fov_y, (void)aspect, (void)near, (void)far;
   return glm::mat4(1.0f);
 }
 
 glm::mat4 orthographic(float left, float right, float bottom, float top, float near, float far) {
   // TODO(01-transforms): move the box's centre to the origin, scale its sides to 2; view space looks along -z
-  (void)left, (void)right, (void)bottom, (void)top, (void)near, (void)far;
   return glm::mat4(1.0f);
 }
 
@@ -68,7 +65,6 @@ glm::mat4 orthographic(float left, float right, float bottom, float top, float n
 
 glm::mat3 normal_matrix(const glm::mat4& model) {
   // TODO(01-transforms): the cofactors are cross products of columns; mind the sign of the determinant and overflow
-  (void)model;
   return glm::mat3(1.0f);
 }
 
@@ -77,14 +73,12 @@ glm::mat3 normal_matrix(const glm::mat4& model) {
 MeshBuffers upload_triangle(Gl& gl, std::span<const glm::vec3, 3> positions) {
   MeshBuffers made;
   // TODO(01-transforms): make and bind a vertex array, make and fill a buffer, describe and enable attribute_position
-  (void)gl, (void)positions;
   return made;
 }
 
 MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<const std::uint32_t> indices) {
   MeshBuffers made;
   // TODO(01-transforms): as for the triangle, with three attributes a stride of sizeof(Vertex) apart, and an index buffer
-  (void)gl, (void)vertices, (void)indices;
   return made;
 }
 
@@ -93,25 +87,21 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
 Mesh cylinder_wall(float radius, float height, int segments) {
   Mesh wall;
   // TODO(01-transforms): refuse what cannot be; then two vertices for each angle 0 .. segments, two triangles for each piece between
-  (void)radius, (void)height, (void)segments;
   return wall;
 }
 
 Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3& half_v) {
   Mesh flat;
   // TODO(01-transforms): four vertices, two triangles
-  (void)centre, (void)half_u, (void)half_v;
   return flat;
 }
 
 void set_wireframe(Gl& gl, bool on) {
   // TODO(01-transforms): glPolygonMode
-  (void)gl, (void)on;
 }
 
 glm::vec3 window_position(const glm::vec4& clip, const glm::vec4& viewport) {
   // TODO(01-transforms): divide by w, then stretch -1..1 over the viewport
-  (void)viewport;
   return glm::vec3(clip);
 }
 

@@ -26,7 +26,6 @@ std::vector<Image> mipmaps(const Image& base) {
 GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter filter) {
   GLuint texture = 0;
   // TODO(02-blinn-phong): make and bind a texture, upload each level with its rows turned, then set filter, wrap and highest level
-  (void)gl, (void)levels, (void)wrap, (void)filter;
   return texture;
 }
 
@@ -34,13 +33,11 @@ GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter f
 
 glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
   // TODO(02-blinn-phong): two cosines; a float's pi is a little less than pi, and its cosine not always -1
-  (void)inner_angle, (void)outer_angle;
   return {1.0f, -1.0f};
 }
 
 void balance(glm::vec3& diffuse, glm::vec3& specular) {
   // TODO(02-blinn-phong): one factor for both, from the largest component of their sum
-  (void)diffuse, (void)specular;
 }
 
 // ---- Challenge: a table for the power

@@ -206,14 +206,4 @@ CommandLine Viewer::command_line(CommandLine line) const {
   return line;
 }
 
-std::string setting_text(const SettingValue& value) {
-  struct {
-    std::string operator()(bool v) const { return v ? "on" : "off"; }
-    std::string operator()(int v) const { return fmt::format("{}", v); }
-    std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest that reads back the same
-    std::string operator()(const std::string& v) const { return v; }
-  } text;
-  return std::visit(text, value);
-}
-
 }  // namespace atelier

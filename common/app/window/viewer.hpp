@@ -96,7 +96,4 @@ class Viewer {
   FrameTimes times_;
 };
 
-/// "2048", "off", "slope": the text that Settings::set reads back.
-std::string setting_text(const SettingValue& value);
-
 }  // namespace atelier
