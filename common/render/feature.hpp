@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "case/settings.hpp"
@@ -56,13 +57,11 @@ struct SlotCode {
 class Binder {
  public:
   Binder(Gl& gl, Uniforms& uniforms) : gl_(gl), uniforms_(uniforms) {}
-  void set(const std::string& name, float value);
-  void set(const std::string& name, int value);
-  void set(const std::string& name, const glm::vec2& value);
-  void set(const std::string& name, const glm::vec3& value);
-  void set(const std::string& name, const glm::vec4& value);
-  void set(const std::string& name, const glm::mat3& value);
-  void set(const std::string& name, const glm::mat4& value);
+  /// A float, int, vector or matrix. A name that this program does not use is ignored.
+  template <class Value>
+  void set(std::string_view name, const Value& value) {
+    uniforms_.set(name, value);
+  }
   /// Binds a texture to the next free unit and points the sampler at it.
   void texture(const std::string& sampler, GLuint texture, GLenum target = GL_TEXTURE_2D);
 
