@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "case/exchange.hpp"
+#include "gl/shader.hpp"
 
 namespace atelier {
 
@@ -24,6 +25,8 @@ void answer(Painter& painter, const Case& c, const std::filesystem::path& folder
       write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
     else
       write_values(folder / (c.name + ".values"), painter.probe(c));
+  } catch (const ShaderError& error) {
+    write_case_error(folder / (c.name + ".build_error"), error.what());
   } catch (const std::exception& error) {
     write_case_error(folder / (c.name + ".error"), error.what());
   } catch (...) {

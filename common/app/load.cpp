@@ -31,7 +31,7 @@ std::string explain_loader(const std::string& words, const std::string& step) {
   const auto at = words.find(key);
   if (at == std::string::npos) return fmt::format("{}: cannot be loaded: {}", step, words);
   const std::string symbol =
-      words.substr(at + key.size(), words.find_first_of(" ,()", at + key.size()) - at - key.size());
+      words.substr(at + key.size(), words.find_first_of(" ,;:()\n", at + key.size()) - at - key.size());
   return fmt::format(
       "{}: no step defines the function `{}`, which the contract declares: check its name, its parameters and its "
       "namespace",

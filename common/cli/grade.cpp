@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <deque>
 
 #include "base/error.hpp"
@@ -30,6 +32,24 @@ struct Grading {
   TemporaryFolder workshop{"atelier-grade"};  ///< the private copy, what is built from it, the driver's cache
   grade::Submission submission;
 };
+
+/// Makes the folder of the results before anybody is graded: an hour's work must not end in front of a closed door.
+void prepare_results_folder(const fs::path& out) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error || ::access(out.c_str(), W_OK) != 0)
+    throw Error(fmt::format("--out {}: results cannot be written there ({}); name a folder of your own", out.string(),
+                            error ? error.message() : std::strerror(errno)));
+}
+
+/// How this very submission is judged again, case by case; empty for an archive, which `check` cannot read.
+void point_to_submission(judge::SubmissionResult& result, const fs::path& submission) {
+  for (StepResult& step : result.steps)
+    for (judge::CaseResult& c : step.cases)
+      c.command = fs::is_directory(submission)
+                      ? fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, submission.string())
+                      : "";
+}
 
 /// The steps that were asked for, or those that were handed in.
 std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector<std::string>& asked) {
@@ -77,6 +97,8 @@ int run_grade(const GradeOptions& options) {
   const fs::path out =
       options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
 
+  prepare_results_folder(out);
+
   // All references before the first program: where one is broken nobody is graded, not half of the class.
   const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
   std::deque<grade::StepJudge> judges;
@@ -92,6 +114,7 @@ int run_grade(const GradeOptions& options) {
   for (std::size_t i = 0; i < steps.size(); ++i)
     result.steps.push_back(grade_step(grading, options, steps[i], judges[i]));
   grade::sum_up(result);
+  point_to_submission(result, options.submission);
   result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
 
   fmt::print("{}", options.json ? judge::results_json(result)

@@ -106,10 +106,11 @@ void add_mirrors(std::vector<Undo>& undos, int width, int height) {
                      [](glm::ivec2 p) { return glm::ivec2(p.y, p.x); }});
 }
 
-void add_shifts(std::vector<Undo>& undos) {
+void add_shifts(std::vector<Undo>& undos, int width, int height) {
+  constexpr int narrowest = 8;  // pixels: along a shorter side a shift by one explains nothing
   for (int dy : {-1, 0, 1})
     for (int dx : {-1, 0, 1}) {
-      if (dx == 0 && dy == 0) continue;
+      if ((dx == 0 && dy == 0) || (dx != 0 && width < narrowest) || (dy != 0 && height < narrowest)) continue;
       const std::string sideways = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
       const std::string along = dy == 0 ? "" : dy > 0 ? "down" : "up";
       undos.push_back(
@@ -200,7 +201,7 @@ void add_data(std::vector<Undo>& undos) {
 std::vector<Undo> undos_for(const Failing& failing) {
   std::vector<Undo> undos;
   add_mirrors(undos, failing.reference.width(), failing.reference.height());
-  add_shifts(undos);
+  add_shifts(undos, failing.reference.width(), failing.reference.height());
   switch (failing.c.unit) {
     case Unit::colour:
     case Unit::encoded:

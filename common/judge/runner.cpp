@@ -77,6 +77,11 @@ Answer read_answer(const Case& c, const fs::path& folder) {
   Answer answer;
   const fs::path pixels = folder / (c.name + ".pixels"), values = folder / (c.name + ".values");
   try {
+    answer.error = read_case_error(folder / (c.name + ".build_error"));
+    if (!answer.error.empty()) {
+      answer.ended = Ended::build_failed;
+      return answer;
+    }
     answer.error = read_case_error(folder / (c.name + ".error"));
     if (!answer.error.empty()) return answer;
     if (c.probe.empty())

@@ -49,6 +49,20 @@ std::string default_reason(Status status) {
   }
 }
 
+/// What to try where there is nothing to compare: the case's own hint is about an answer that came.
+std::string hint_without_answer(Status status, const std::string& hint_of_case) {
+  switch (status) {
+    case Status::build_failed:
+      return "Mend what the compiler names first: nothing that needs this file can be judged before.";
+    case Status::crashed:
+      return "Look for an index out of range, a null pointer or a recursion without end; a debugger names the line.";
+    case Status::timeout:
+      return "Look for a loop that never ends, or that makes its work longer while it runs.";
+    default:
+      return hint_of_case;
+  }
+}
+
 CaseResult blank(const JudgedCase& c, const Answer& answer, const StepReferences& references) {
   CaseResult result;
   result.name = c.ask.name;
@@ -287,6 +301,7 @@ CaseResult judge_case(const JudgedCase& c, const Answer& answer, const StepRefer
   CaseResult result = blank(c, answer, references);
   if (answer.ended != Answer::Ended::normally) {
     result.reason = answer.error.empty() ? default_reason(result.status) : answer.error;
+    result.hint = hint_without_answer(result.status, c.hint);
     return result;
   }
   return c.profile == Profile::values ? judge_probe(std::move(result), c, answer, references)

@@ -67,7 +67,8 @@ class Transforms : public SceneProgram {
     gl_->ClearColor(0.05f, 0.06f, 0.08f, 1);
     gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl_->Disable(GL_CULL_FACE);
-    if (!vertex_array) return;  // not written yet: nothing to draw
+    gl_->Disable(GL_DEPTH_TEST);  // whatever the picture before this one left behind
+    if (!vertex_array) return;    // not written yet: nothing to draw
     transforms::set_wireframe(*gl_, wireframe);
     gl_->UseProgram(program.id());
     gl_->BindVertexArray(vertex_array.id());
