@@ -1,5 +1,5 @@
-// Included before every student's file, precompiled: what the contracts include anyway.
-#pragma once
+// Included before every student's file, precompiled: what the contracts include anyway. No include guard: nothing
+// else includes it, and GCC warns of one in a file that it precompiles.
 
 #include <algorithm>
 #include <array>

@@ -46,6 +46,7 @@ function(atelier_step name)
   add_library(program-${name} MODULE ${STEP_PROGRAM})
   target_link_libraries(program-${name} PRIVATE atelier)
   target_include_directories(program-${name} PRIVATE ${PROJECT_SOURCE_DIR}/steps)
+  atelier_precompile(program-${name})
 
   # Which of the steps have C++ of the student's, in the order of loading.
   set(libraries "")

@@ -89,7 +89,7 @@ SurfaceKey Renderer::key_for(const View& view, const Material& material) const {
     key.features.push_back(feature.get());
     key.structure.insert(need.structure.begin(), need.structure.end());
   }
-  if (material.two_sided) key.structure["TWO_SIDED"] = "1";
+  if (material.two_sided) key.structure["TWO_SIDED"] = std::string("1");
   return key;
 }
 

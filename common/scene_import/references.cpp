@@ -13,7 +13,7 @@ namespace {
 /// Paths in messages at a length that a terminal can bear.
 std::string quoted(const std::string& reference) {
   constexpr std::size_t longest = 200;
-  return "'" + (reference.size() <= longest ? reference : reference.substr(0, longest) + "...") + "'";
+  return fmt::format("'{}{}'", reference.substr(0, longest), reference.size() > longest ? "..." : "");
 }
 
 int hex_digit(char c) {
