@@ -245,6 +245,28 @@ void wait_for_any(const std::vector<std::unique_ptr<Share>>& shares) {
   ::poll(pipes.data(), pipes.size(), static_cast<int>(std::max(left, milliseconds(0)).count()));
 }
 
+/// Shares for at most `workers` processes, none of them empty. Neighbours with the same scene stay together, because
+/// they mostly draw with the same shader, which each process would otherwise compile for itself; but only a few of them,
+/// because cases of one kind are slow together.
+std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const std::vector<std::size_t>& order,
+                                          std::size_t workers) {
+  constexpr int most_together = 4;
+  std::vector<std::deque<std::size_t>> shares(std::min(workers, cases.size()));
+  std::deque<std::size_t>* share = nullptr;
+  int together = 0;
+  for (const std::size_t index : order) {
+    const bool neighbour = share && cases[share->back()].scene == cases[index].scene && together < most_together;
+    if (!neighbour) {
+      share = &*std::min_element(shares.begin(), shares.end(),
+                                 [](const auto& a, const auto& b) { return a.size() < b.size(); });
+      together = 0;
+    }
+    share->push_back(index);
+    ++together;
+  }
+  return shares;
+}
+
 bool bends_the_driver(const std::string& variable) {
   constexpr const char* prefixes[] = {"LP_", "GALLIUM_", "GALLIVM_", "MESA_", "LIBGL_", "LD_", "LC_"};
   return std::any_of(std::begin(prefixes), std::end(prefixes),
@@ -298,15 +320,11 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
     if (on_answer) on_answer(index, answers[index]);
   };
 
-  // Interleaved shares: cases of one kind stand together in a list, and are slow together.
-  const std::size_t count = std::min<std::size_t>(static_cast<std::size_t>(settings.workers), cases.size());
-  std::vector<std::deque<std::size_t>> indices(count);
-  const std::vector<std::size_t> order = asking_order(cases.size(), settings.shuffle);
-  for (std::size_t i = 0; i < order.size(); ++i) indices[i % count].push_back(order[i]);
-
+  const auto indices =
+      deal(cases, asking_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
   const TemporaryFolder folder("atelier-run");
   std::vector<std::unique_ptr<Share>> shares;
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < indices.size(); ++i)
     shares.push_back(std::make_unique<Share>(settings, cases, indices[i], folder.path() / std::to_string(i), deliver));
   const auto done = [](const auto& share) { return share->done(); };
   while (!std::all_of(shares.begin(), shares.end(), done)) {
