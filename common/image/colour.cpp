@@ -1,5 +1,7 @@
 #include "image/colour.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace atelier {
@@ -33,6 +35,17 @@ float srgb_encode(float linear) {
 }
 float srgb_decode(float encoded) {
   return float(srgb_decode(double(encoded)));
+}
+
+// A search among the 255 borders between codes takes a tenth of a power's time.
+std::uint8_t srgb_code(float linear) {
+  static const std::array<double, 255> borders = [] {
+    std::array<double, 255> found{};
+    for (std::size_t code = 0; code < found.size(); ++code) found[code] = srgb_decode((double(code) + 0.5) / 255);
+    return found;
+  }();
+  if (!(linear > 0)) return 0;
+  return std::uint8_t(std::upper_bound(borders.begin(), borders.end(), double(linear)) - borders.begin());
 }
 
 Rgba srgb_encode(const Rgba& c) {

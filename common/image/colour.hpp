@@ -8,6 +8,8 @@
 // Sources: IEC 61966-2-1 (sRGB), ITU-R BT.709 (primaries, white), CIE 15 (L*a*b*).
 #pragma once
 
+#include <cstdint>
+
 #include "image/image.hpp"
 
 namespace atelier {
@@ -27,6 +29,10 @@ double srgb_encode(double linear);
 /// Its inverse: x / 12.92 up to 0.04045, then ((x + 0.055) / 1.055)^2.4. Outside 0..1 and for NaN as srgb_encode.
 float srgb_decode(float encoded);
 double srgb_decode(double encoded);
+
+/// The sRGB code that an 8-bit file holds for a linear value: 255 times the encoded one, rounded; 0 below 0 and for NaN,
+/// 255 above 1.
+std::uint8_t srgb_code(float linear);
 
 /// The curve on red, green and blue; opacity is no colour and stays as it is.
 Rgba srgb_encode(const Rgba& linear);

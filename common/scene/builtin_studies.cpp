@@ -22,7 +22,7 @@ void add_checker_floor(Scene& scene, float side, const Rgba& light, const Rgba& 
 
 Scene teapot() {
   Scene scene;
-  const int wood = add_texture(scene, "wood", make_wood());
+  const int wood = add_texture(scene, "wood", make_wood({.size = 256}));
   const int table = add_material(scene, {.name = "table",
                                          .diffuse = glm::vec3(0.9f),
                                          .specular = glm::vec3(0.1f),

@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <array>
+#include <cmath>
+
 #include "02-blinn-phong/blinn_phong.hpp"
 #include "image/colour.hpp"
 
@@ -21,15 +24,19 @@ std::vector<const Light*> lights_of(const Scene& scene, LightType type, int limi
   return found;
 }
 
-/// A picture as a file would hold it: encoded to sRGB. What the student's srgb_decode then undoes.
+/// A picture as an 8-bit file holds it: encoded to sRGB, a 255th a step. What the student's srgb_decode then undoes.
 Image encoded(Image image) {
-  for (Rgba& p : image.pixels()) p = {srgb_encode(p.r), srgb_encode(p.g), srgb_encode(p.b), p.a};
+  const auto stored = [](float linear) { return float(srgb_code(linear)) / 255; };
+  for (Rgba& p : image.pixels()) p = {stored(p.r), stored(p.g), stored(p.b), p.a};
   return image;
 }
 
+/// What encoded() stored, decoded by the student's function. There are 256 codes only: it is asked once for each.
 Image decoded(Image image) {
-  for (Rgba& p : image.pixels())
-    p = {blinn_phong::srgb_decode(p.r), blinn_phong::srgb_decode(p.g), blinn_phong::srgb_decode(p.b), p.a};
+  std::array<float, 256> linear{};
+  for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = blinn_phong::srgb_decode(float(code) / 255);
+  const auto of = [&](float stored) { return linear[std::size_t(std::lround(stored * 255))]; };
+  for (Rgba& p : image.pixels()) p = {of(p.r), of(p.g), of(p.b), p.a};
   return image;
 }
 
