@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "app/thrown.hpp"
 #include "base/error.hpp"
 #include "case/exchange.hpp"
 #include "gl/shader.hpp"
@@ -27,10 +28,10 @@ void answer(Painter& painter, const Case& c, const std::filesystem::path& folder
       write_values(folder / (c.name + ".values"), painter.probe(c));
   } catch (const ShaderError& error) {
     write_case_error(folder / (c.name + ".build_error"), error.what());
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     write_case_error(folder / (c.name + ".error"), error.what());
   } catch (...) {
-    write_case_error(folder / (c.name + ".error"), "something was thrown that is no std::exception");
+    write_case_error(folder / (c.name + ".exception"), thrown_in_words());
   }
 }
 

@@ -1,13 +1,12 @@
 #include "app/load.hpp"
 
-#include <cxxabi.h>
 #include <dlfcn.h>
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 
+#include "app/thrown.hpp"
 #include "base/error.hpp"
 #include "base/module.hpp"
 
@@ -16,14 +15,6 @@ namespace atelier {
 namespace {
 
 const std::filesystem::path project_root = ATELIER_ROOT, build_root = ATELIER_BUILD;
-
-/// "atelier::look_at(...)" from "_ZN7atelier7look_at...", or the name as it is.
-std::string demangle(const std::string& symbol) {
-  int status = 0;
-  const std::unique_ptr<char, void (*)(void*)> plain(abi::__cxa_demangle(symbol.c_str(), nullptr, nullptr, &status),
-                                                     std::free);
-  return status == 0 ? plain.get() : symbol;
-}
 
 /// The loader says "FILE: undefined symbol: _ZN..."; a student wants to read which function is missing.
 std::string explain_loader(const std::string& words, const std::string& step) {

@@ -3,13 +3,13 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <exception>
 
 #include "app/cases.hpp"
 #include "app/command_line.hpp"
 #include "app/list.hpp"
 #include "app/picture.hpp"
 #include "app/record.hpp"
+#include "app/thrown.hpp"
 #include "app/window.hpp"
 #include "base/error.hpp"
 #include "image_io/image_io.hpp"
@@ -75,9 +75,10 @@ int run(int count, char** arguments, const StepIdentity& identity) {
 }  // namespace
 
 int run_step(int count, char** arguments, const StepIdentity& identity) {
+  tell_what_was_thrown_before_aborting();
   try {
     return run(count, arguments, identity);
-  } catch (const std::exception& error) {
+  } catch (const Error& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return exit_usage;
   }

@@ -3,7 +3,8 @@
 //   DIR/NAME.pixels   "ATELIER1", width and height (32-bit little-endian), then width*height RGBA floats, row 0 on top
 //   DIR/NAME.values   {"results": [[numbers of input 0], ...]}; non-finite ones as "nan", "inf", "-inf"
 //   DIR/NAME.build_error   one sentence: the student's shader does not compile
-//   DIR/NAME.error    one sentence: the program itself refused the case (the student's function threw, say)
+//   DIR/NAME.error    one sentence: the program itself refused the case (it has no such scene, say)
+//   DIR/NAME.exception   one sentence: what the student's function threw and nothing caught
 //
 // Each is written beside and renamed: what is there is whole.
 #pragma once

@@ -35,6 +35,7 @@ constexpr milliseconds leave_limit{2'000};
 /// How often we look for the end of a program whose pipes do not tell of it: seldom where a child of its own holds them
 /// open, often where they are closed, for then it is about to end.
 constexpr milliseconds seldom{20}, often{1};
+constexpr std::size_t longest_tail = 1024;  ///< bytes: an error is one line
 
 void check(const RunSettings& settings, const std::vector<Case>& cases) {
   const auto in_range = [](const char* what, auto value, auto low, auto high) {
@@ -58,17 +59,21 @@ std::string in_words(const Exit& exit) {
                           : fmt::format("the program ended itself with status {}", exit.status);
 }
 
-/// What a program that will not begin says: its last line "error: ...", or its last line.
-std::string last_words(const std::string& output) {
-  std::string last, error;
+/// What a program says before it ends: its last line that begins with "error: ", and its last line of all.
+struct LastWords {
+  std::string error, line;
+};
+
+LastWords last_words(const std::string& output) {
+  LastWords last;
   for (std::size_t begin = 0; begin < output.size();) {
     const std::size_t end = std::min(output.find('\n', begin), output.size());
     const std::string line = output.substr(begin, end - begin);
-    if (line.starts_with("error: ")) error = line.substr(7);
-    if (!line.empty()) last = line;
+    if (line.starts_with("error: ")) last.error = shorten(printable(line.substr(7)), 500);
+    if (!line.empty()) last.line = shorten(printable(line), 500);
     begin = end + 1;
   }
-  return shorten(printable(error.empty() ? last : error), 500);
+  return last;
 }
 
 /// Reads what a program left for a case that it has ended. Each file is read once and then removed, so that a long list
@@ -80,6 +85,11 @@ Answer read_answer(const Case& c, const fs::path& folder) {
     answer.error = read_case_error(folder / (c.name + ".build_error"));
     if (!answer.error.empty()) {
       answer.ended = Ended::build_failed;
+      return answer;
+    }
+    answer.error = read_case_error(folder / (c.name + ".exception"));
+    if (!answer.error.empty()) {
+      answer.ended = Ended::crashed;
       return answer;
     }
     answer.error = read_case_error(folder / (c.name + ".error"));
@@ -136,6 +146,7 @@ class Share {
   int processes_ = 0;
   bool begun_ = false;  ///< this process has begun a case
   std::string output_;  ///< printed since the last end
+  std::string tail_;    ///< the last that this process has printed, in whatever case
   Clock::time_point since_, deadline_;
 };
 
@@ -156,6 +167,7 @@ void Share::start() {
       program_environment(settings_));
   begun_ = false;
   output_.clear();
+  tail_.clear();
   deadline_ = Clock::now() + settings_.start_limit;
 }
 
@@ -164,10 +176,18 @@ void Share::advance() {
   const std::optional<Exit> exit = worker_->ended();
   listen();
   if (exit) {
-    const std::string words = in_words(*exit), said = last_words(output_);
-    const bool refused = exit->signal == 0 && exit->status != exit_ok && !said.empty();
-    settle(exit->signal != 0 ? Ended::crashed : Ended::missing, words + " during this case",
-           refused ? said : words + " before its first case");
+    const std::string words = in_words(*exit);
+    if (exit->signal != 0) {
+      // The very last line says what was thrown, where that is what ended it. Not output_: what is printed close to a
+      // case's end may be counted to its neighbour.
+      const std::string last = last_words(tail_).line;
+      const std::string why = last.starts_with("error: ") ? ": " + last.substr(7) : "";
+      settle(Ended::crashed, words + " during this case" + why, words + " before its first case" + why);
+    } else {
+      const LastWords said = last_words(output_);
+      const std::string refusal = exit->status == exit_ok ? "" : said.error.empty() ? said.line : said.error;
+      settle(Ended::missing, words + " during this case", refusal.empty() ? words + " before its first case" : refusal);
+    }
   } else if (Clock::now() >= deadline_) {
     settle(Ended::timeout, fmt::format("this case lasted longer than {} s", settings_.case_limit.count() / 1000.0),
            fmt::format("the program did not begin its first case within {} s", settings_.start_limit.count() / 1000.0));
@@ -178,6 +198,8 @@ void Share::listen() {
   const auto hear = [this] {
     const std::string text = worker_->take_output();
     output_.append(text, 0, settings_.output_limit - std::min(settings_.output_limit, output_.size()));
+    tail_ += text;
+    tail_.erase(0, tail_.size() - std::min(tail_.size(), longest_tail));
   };
   hear();
   for (const std::string& line : worker_->take_lines()) {

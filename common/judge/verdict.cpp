@@ -55,7 +55,9 @@ std::string hint_without_answer(Status status, const std::string& hint_of_case) 
     case Status::build_failed:
       return "Mend what the compiler names first: nothing that needs this file can be judged before.";
     case Status::crashed:
-      return "Look for an index out of range, a null pointer or a recursion without end; a debugger names the line.";
+      return "Look for an index out of range, a null pointer, a recursion without end, or something thrown that "
+             "nothing "
+             "catches; a debugger names the line.";
     case Status::timeout:
       return "Look for a loop that never ends, or that makes its work longer while it runs.";
     default:

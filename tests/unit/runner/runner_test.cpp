@@ -74,6 +74,8 @@ TEST_CASE("each misdeed fails its own case and no other") {
       {"nothing", Ended::missing, "", false},
       {"refuses", Ended::missing, "look_at threw: eye and target agree", false},
       {"refuses after drawing", Ended::missing, "too late", false},
+      {"throws", Ended::crashed, "int was thrown: 42", false},
+      {"throws to nobody", Ended::crashed, "SIGABRT) during this case: int was thrown: 43", true},
       {"link", Ended::missing, ".pixels", false},
       {"fifo", Ended::missing, ".pixels", false},
       {"folder", Ended::missing, ".pixels", false},

@@ -93,6 +93,16 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
        [](const Case& c, const fs::path&) {
          write_case_error(fs::path(options["--out"]) / (c.name + ".error"), "look_at threw: eye and target agree");
        }},
+      {"throws",
+       [](const Case& c, const fs::path& file) {
+         draw(c, file);
+         write_case_error(fs::path(options["--out"]) / (c.name + ".exception"), "int was thrown: 42");
+       }},
+      {"throws to nobody",
+       [](const Case&, const fs::path&) {
+         std::cerr << "error: int was thrown: 43\n";
+         std::abort();
+       }},
       {"refuses after drawing",
        [](const Case& c, const fs::path& file) {
          draw(c, file);
