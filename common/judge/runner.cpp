@@ -46,6 +46,7 @@ void check(const RunSettings& settings, const std::vector<Case>& cases) {
   in_range("driver threads", settings.driver_threads, 0, 32);
   in_range("time limit of a case in milliseconds", settings.case_limit.count(), 1, 86'400'000);
   in_range("time limit of the start in milliseconds", settings.start_limit.count(), 1, 86'400'000);
+  in_range("time-outs", settings.most_time_outs, 0, 1'000'000);
   if (settings.context != "osmesa" && settings.context != "egl")
     throw Error(fmt::format("context: '{}' is not allowed; it takes osmesa, egl", settings.context));
   std::set<std::string> names;
@@ -112,12 +113,14 @@ class Share {
  public:
   using Deliver = std::function<void(std::size_t index, Answer)>;
 
+  /// `time_outs` is counted by all shares of a run together.
   Share(const RunSettings& settings, const std::vector<Case>& cases, std::deque<std::size_t> waiting, fs::path folder,
-        Deliver deliver)
+        int& time_outs, Deliver deliver)
       : settings_(settings),
         cases_(cases),
         waiting_(std::move(waiting)),
         folder_(std::move(folder)),
+        time_outs_(time_outs),
         deliver_(std::move(deliver)) {
     start();
   }
@@ -135,12 +138,15 @@ class Share {
   void begin(const std::string& name);
   void end(const std::string& name);
   void settle(Ended how, const std::string& in_case, const std::string& before_any);
+  bool out_of_patience() const { return settings_.most_time_outs > 0 && time_outs_ >= settings_.most_time_outs; }
+  void leave_rest();
 
   const RunSettings& settings_;
   const std::vector<Case>& cases_;
   std::deque<std::size_t> waiting_;     ///< not begun yet, in order
   std::optional<std::size_t> running_;  ///< begun and not ended
   fs::path folder_;                     ///< of the process: its job file and its answers
+  int& time_outs_;
   Deliver deliver_;
   std::unique_ptr<Worker> worker_;
   int processes_ = 0;
@@ -172,6 +178,7 @@ void Share::start() {
 }
 
 void Share::advance() {
+  if (out_of_patience() && !running_) return leave_rest();
   // Asked before listening: what was written before the end is then in the pipes and is heard.
   const std::optional<Exit> exit = worker_->ended();
   listen();
@@ -215,7 +222,7 @@ void Share::listen() {
 void Share::begin(const std::string& name) {
   const auto found =
       std::find_if(waiting_.begin(), waiting_.end(), [&](std::size_t index) { return cases_[index].name == name; });
-  if (running_ || found == waiting_.end()) return;
+  if (running_ || found == waiting_.end() || out_of_patience()) return;
   running_ = *found;
   waiting_.erase(found);
   begun_ = true;
@@ -236,6 +243,7 @@ void Share::end(const std::string& name) {
 /// better, and every case that waits gets the same answer; otherwise what waits goes on in a new process.
 void Share::settle(Ended how, const std::string& in_case, const std::string& before_any) {
   worker_.reset();
+  if (how == Ended::timeout && (running_ || !waiting_.empty())) ++time_outs_;
   const auto give_up = [&](std::size_t index, const std::string& error) {
     Answer answer;
     answer.ended = how;
@@ -247,7 +255,20 @@ void Share::settle(Ended how, const std::string& in_case, const std::string& bef
   if (running_) give_up(*std::exchange(running_, {}), in_case);
   if (!begun_)
     for (; !waiting_.empty(); waiting_.pop_front()) give_up(waiting_.front(), before_any);
-  if (!waiting_.empty()) start();
+  if (waiting_.empty()) return;
+  out_of_patience() ? leave_rest() : start();
+}
+
+/// What waits is not asked any more.
+void Share::leave_rest() {
+  worker_.reset();
+  for (; !waiting_.empty(); waiting_.pop_front()) {
+    Answer answer;
+    answer.ended = Ended::timeout;
+    answer.error = fmt::format("this case was not drawn, because {} before it had not ended: mend those first",
+                               settings_.most_time_outs);
+    deliver_(waiting_.front(), std::move(answer));
+  }
 }
 
 /// Sleeps until a program has something to tell, a limit is reached, or it is time for a look.
@@ -345,9 +366,11 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
   const auto indices =
       deal(cases, asking_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
   const TemporaryFolder folder("atelier-run");
+  int time_outs = 0;
   std::vector<std::unique_ptr<Share>> shares;
   for (std::size_t i = 0; i < indices.size(); ++i)
-    shares.push_back(std::make_unique<Share>(settings, cases, indices[i], folder.path() / std::to_string(i), deliver));
+    shares.push_back(
+        std::make_unique<Share>(settings, cases, indices[i], folder.path() / std::to_string(i), time_outs, deliver));
   const auto done = [](const auto& share) { return share->done(); };
   while (!std::all_of(shares.begin(), shares.end(), done)) {
     wait_for_any(shares);

@@ -31,8 +31,13 @@ struct RunSettings {
   std::string context = "osmesa";        ///< or "egl"
   int workers = 2;                       ///< processes at a time, 1..64; no more than there are cases are started
   std::optional<std::uint64_t> shuffle;  ///< a seed: ask in an order drawn from it, not as listed
-  std::chrono::milliseconds case_limit{10'000};    ///< wall clock of one case; then the program is killed
-  std::chrono::milliseconds start_limit{10'000};   ///< wall clock until the first case begins
+  std::chrono::milliseconds case_limit{10'000};   ///< wall clock of one case; then the program is killed
+  std::chrono::milliseconds start_limit{10'000};  ///< wall clock until the first case begins
+  /// Time-outs, in all cases together, after which no further case is asked; 0: no such limit. One may be bad luck on a
+  /// busy machine and a second one the same slow function; with three at the full limit of a case each, what hangs is
+  /// the code, and the other cases would only make everybody wait: seven minutes for 41 cases. Crashes are not counted:
+  /// starting a program anew costs less than a tenth of a second.
+  int most_time_outs = 3;
   int driver_threads = 0;                          ///< llvmpipe's own threads, 0..32: 0 draws in the calling thread
   std::filesystem::path shader_cache;              ///< the driver's, made where missing; empty: none
   std::map<std::string, std::string> environment;  ///< variables set beside, and last of all
@@ -47,7 +52,9 @@ using OnAnswer = std::function<void(std::size_t, const Answer&)>;
 /// - missing: the program refused the case, left no readable file, exited by itself in the middle, or never began:
 /// `error`
 ///   says which. A program that exits with status 2 before its first case has its sentence in the answer of every case.
-/// - crashed, timeout: a signal or a limit ended the program in this case, or before it began any.
+/// - crashed, timeout: a signal or a limit ended the program in this case, or before it began any. What the student's
+///   code threw is a crash of this case too, and `error` says what it was; the program goes on with the next.
+/// - timeout too where the case was not asked any more, after settings.most_time_outs; `error` says so.
 /// Throws Error where a setting is out of range, a name stands twice, or the program cannot be started at all.
 std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Case>& cases,
                               const OnAnswer& on_answer = {});

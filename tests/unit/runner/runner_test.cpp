@@ -123,6 +123,44 @@ TEST_CASE("a case that crashes in every process is asked once") {
   CHECK(to_string(answers[3].ended) == "crashed");
 }
 
+TEST_CASE("after three time-outs no case is asked any more") {
+  RunSettings s = settings();
+  s.case_limit = 300ms;
+  const std::vector<Case> cases = make_cases({"hangs", "hangs", "honest", "hangs", "honest", "hangs"});
+  struct Row {
+    const char* name;
+    int most, workers;
+    std::vector<bool> asked;
+  };
+  const Row rows[] = {{"by default", s.most_time_outs, 1, {true, true, true, true, false, false}},
+                      {"one", 1, 1, {true, false, false, false, false, false}},
+                      {"never", 0, 1, {true, true, true, true, true, true}}};
+  for (const Row& row : rows) {
+    INFO(row.name);
+    s.most_time_outs = row.most;
+    std::size_t delivered = 0;
+    const auto answers = run_cases(s, cases, [&](std::size_t, const Answer&) { ++delivered; });
+    CHECK(delivered == cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      INFO("case " << i << ": " << answers[i].error);
+      const bool honest = cases[i].scene == "honest";
+      CHECK(to_string(answers[i].ended) == (honest && row.asked[i] ? "normally" : "timeout"));
+      CHECK(has_all(answers[i].error, {"was not drawn, because"}) == !row.asked[i]);
+    }
+  }
+}
+
+TEST_CASE("time-outs are counted over all workers together") {
+  RunSettings s = settings();
+  s.case_limit = 300ms, s.workers = 2, s.most_time_outs = 1;
+  const auto answers = run_cases(s, make_cases({"hangs", "hangs", "honest", "honest", "hangs", "honest"}));
+  for (std::size_t i = 2; i < answers.size(); ++i) {
+    INFO("case " << i << ": " << answers[i].error);
+    CHECK(to_string(answers[i].ended) == "timeout");
+    CHECK(has_all(answers[i].error, {"was not drawn, because"}));
+  }
+}
+
 TEST_CASE("a program that cannot begin fails every case with its own words") {
   struct Row {
     std::string start;
