@@ -53,7 +53,7 @@ StepResult judge_own_files(const ProjectFolders& folders, const CheckOptions& op
   StepResult result =
       own.built.ok ? judge.judge(run_settings(folders, options, step.name, own.path), judge::KeepEvidence::always)
                    : judge.judge_unbuilt(own.built);
-  result.build_log = own.built.log;
+  if (own.built.not_taken.empty()) result.build_log = own.built.log;
   result.implementations = in_words(own.earlier, step.name, "yours");
   return result;
 }

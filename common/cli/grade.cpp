@@ -43,12 +43,12 @@ void prepare_results_folder(const fs::path& out) {
 }
 
 /// How this very submission is judged again, case by case; empty for an archive, which `check` cannot read.
-void point_to_submission(judge::SubmissionResult& result, const fs::path& submission) {
+void point_to_submission(judge::SubmissionResult& result, const fs::path& source) {
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
-      c.command = fs::is_directory(submission)
-                      ? fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, submission.string())
-                      : "";
+      c.command = source.empty()
+                      ? ""
+                      : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, source.string());
 }
 
 /// The steps that were asked for, or those that were handed in.
@@ -61,8 +61,14 @@ std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector
 
 StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
                       const grade::StepJudge& judge) {
-  if (!grading.submission.present.contains(step.name)) return judge.judge_absent();
-  const grade::Code code{.sources = grading.submission.folder, .libraries = grading.workshop.path() / "libraries"};
+  const grade::Submission& submission = grading.submission;
+  if (const auto found = submission.passed_over.find(step.name); found != submission.passed_over.end())
+    return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
+  if (!submission.present.contains(step.name)) return judge.judge_absent();
+  if (const auto found = submission.not_taken.find(step.name); found != submission.not_taken.end())
+    return judge.judge_unbuilt(judge::not_built(found->second));
+
+  const grade::Code code{.sources = submission.folder, .libraries = grading.workshop.path() / "libraries"};
   const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
   if (!built.ok) return judge.judge_unbuilt(built);
 
@@ -114,7 +120,7 @@ int run_grade(const GradeOptions& options) {
   for (std::size_t i = 0; i < steps.size(); ++i)
     result.steps.push_back(grade_step(grading, options, steps[i], judges[i]));
   grade::sum_up(result);
-  point_to_submission(result, options.submission);
+  point_to_submission(result, grading.submission.source);
   result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
 
   fmt::print("{}", options.json ? judge::results_json(result)

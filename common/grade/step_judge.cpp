@@ -61,13 +61,14 @@ StepResult StepJudge::empty_result() const {
   return result;
 }
 
-StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep) const {
+StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {
   std::vector<Case> asks;
   for (const JudgedCase& c : file_.cases) asks.push_back(c.ask);
   StepResult result = empty_result();
   // The judge works while the programs draw on.
   judge::run_cases(settings, asks, [&](std::size_t index, const Answer& answer) {
     result.cases[index] = judge::judge_case(file_.cases[index], answer, references_, keep);
+    if (on_case) on_case();
   });
   sum_up(result);
   return result;
@@ -81,19 +82,23 @@ StepResult StepJudge::judge_all_alike(const Answer& answer) const {
   return result;
 }
 
+StepResult StepJudge::judge_absent(const std::string& why) const {
+  Answer answer;
+  answer.error = why;
+  StepResult result = judge_all_alike(answer);
+  for (CaseResult& c : result.cases)
+    c.hint = fmt::format("All files of the step must be in {}/, each a regular file under its own name.", file_.step);
+  return result;
+}
+
 StepResult StepJudge::judge_unbuilt(const judge::Built& built) const {
+  if (!built.not_taken.empty()) return judge_absent(first_error(built.log));
   Answer answer;
   answer.ended = Answer::Ended::build_failed;
   answer.error = first_error(built.log);
   StepResult result = judge_all_alike(answer);
   result.build_log = built.log;
   return result;
-}
-
-StepResult StepJudge::judge_absent() const {
-  Answer answer;
-  answer.error = "Nothing was handed in for this step.";
-  return judge_all_alike(answer);
 }
 
 void sum_up(StepResult& step) {

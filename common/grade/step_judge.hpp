@@ -40,15 +40,17 @@ class StepJudge {
   void require_references() const { references_.require(file_.cases); }
 
   /// Asks the program for every case and judges each answer as it comes in. `settings` says which program and whose
-  /// code; `keep` says which results carry pictures. Throws Error only where the judge's own side is at fault.
-  judge::StepResult judge(const judge::RunSettings& settings,
-                          judge::KeepEvidence keep = judge::KeepEvidence::failures) const;
+  /// code; `keep` says which results carry pictures; `on_case` is called after each verdict. Throws Error only where
+  /// the judge's own side is at fault.
+  using OnCase = std::function<void()>;
+  judge::StepResult judge(const judge::RunSettings& settings, judge::KeepEvidence keep = judge::KeepEvidence::failures,
+                          const OnCase& on_case = {}) const;
 
-  /// What everybody gets whose files do not build: the compiler's words, and no points.
+  /// What everybody gets whose files do not build: the compiler's words, or which files are missing, and no points.
   judge::StepResult judge_unbuilt(const judge::Built& built) const;
 
-  /// What somebody gets who handed in nothing for this step.
-  judge::StepResult judge_absent() const;
+  /// What somebody gets who handed in nothing for this step, or not all of it; `why` is a sentence.
+  judge::StepResult judge_absent(const std::string& why = "Nothing was handed in for this step.") const;
 
  private:
   judge::StepResult empty_result() const;

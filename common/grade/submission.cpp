@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "case/printable.hpp"
 #include "case/suggest.hpp"
+#include "grade/step_places.hpp"
 #include "grade/unzip.hpp"
 
 namespace atelier::grade {
@@ -13,25 +16,116 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void take_folder(const judge::StepFlags& flags, const fs::path& source, Submission& submission) {
+/// Keeps the first notes; behind them stands how many there were more.
+void keep_first(std::vector<std::string>& notes) {
+  if (notes.size() <= most_notes) return;
+  const std::size_t more = notes.size() - (most_notes - 1);
+  notes.resize(most_notes - 1);
+  notes.push_back(fmt::format("{} more of the kind", more));
+}
+
+/// Empty for a folder. A step's folder that is a link leads out of what was handed in.
+std::string why_no_folder(const fs::path& path) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(path, error).type();
+  if (type == fs::file_type::symlink) return judge::is_link;
+  return type == fs::file_type::directory ? "" : "is not a folder";
+}
+
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return fs::exists(fs::symlink_status(path, error));
+}
+
+bool holds_steps(const judge::StepFlags& flags, const fs::path& folder) {
+  return std::any_of(flags.files.begin(), flags.files.end(),
+                     [&](const auto& step) { return is_there(folder / step.first); });
+}
+
+/// `source`, or the one folder in it that holds steps where it has none itself.
+fs::path holder_of_steps(const judge::StepFlags& flags, const fs::path& source) {
+  if (holds_steps(flags, source)) return source;
+  std::vector<fs::path> holders;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(source, error))
+    if (entry.symlink_status(error).type() == fs::file_type::directory && holds_steps(flags, entry.path()))
+      holders.push_back(entry.path());
+  std::sort(holders.begin(), holders.end());
+  if (holders.size() > 1)
+    throw Error(fmt::format("{}: has steps in two folders, '{}' and '{}'; give one of them", source.string(),
+                            printable(holders[0].filename().string()), printable(holders[1].filename().string())));
+  return holders.empty() ? source : holders.front();
+}
+
+void take_folder(const judge::StepFlags& flags, Submission& submission) {
   for (const auto& [step, files] : flags.files) {
-    std::error_code error;
-    // A step's folder that is a link leads out of what was handed in.
-    if (fs::symlink_status(source / step, error).type() != fs::file_type::directory) continue;
+    const fs::path folder = submission.source / step;
+    if (!is_there(folder)) continue;
+    if (const std::string why = why_no_folder(folder); !why.empty()) {
+      submission.passed_over[step] = why;
+      submission.notes.push_back(step + " " + why);
+      continue;
+    }
     submission.present.insert(step);
-    judge::take_step_files(flags, step, source / step, submission.folder / step);
+    const judge::NotTaken not_taken = judge::take_step_files(flags, step, folder, submission.folder / step);
+    if (!not_taken.empty()) submission.not_taken[step] = not_taken;
+    for (const auto& [file, why] : not_taken)
+      if (why != judge::is_missing) submission.notes.push_back(fmt::format("{}/{} {}", step, file, why));
   }
 }
 
-void take_zip(const judge::StepFlags& flags, const fs::path& source, Submission& submission) {
+/// Returns the names of all members.
+std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path& source, Submission& submission) {
   std::set<std::string> wanted;
   for (const auto& [step, files] : flags.files)
     for (const std::string& file : files) wanted.insert(step + "/" + file);
-  const ZipLimits limits{.member_bytes = judge::source_limit};
-  for (const auto& [name, bytes] : read_zip(source, wanted, limits)) {
-    submission.present.insert(name.substr(0, name.find('/')));
+  const ZipContents contents = read_zip(source, wanted);
+  const auto step_of = [](const std::string& name) { return name.substr(0, name.find('/')); };
+  for (const auto& [name, bytes] : contents.files) {
+    submission.present.insert(step_of(name));
     write_file(submission.folder / name, bytes);
   }
+  for (const auto& [name, why] : contents.not_taken) {
+    submission.present.insert(step_of(name));
+    submission.notes.push_back(name + " " + why);
+  }
+  for (const std::string& sentence : contents.passed_over) submission.notes.push_back(sentence);
+
+  for (const std::string& step : submission.present)
+    for (const std::string& file : flags.files.at(step)) {
+      const std::string name = step + "/" + file;
+      if (contents.files.contains(name)) continue;
+      const auto found = contents.not_taken.find(name);
+      submission.not_taken[step][file] = found == contents.not_taken.end() ? judge::is_missing : found->second;
+    }
+  return contents.names;
+}
+
+/// Why there is no step, in one line: where steps or their files were found, and what was passed over.
+[[noreturn]] void refuse_without_steps(const judge::StepFlags& flags, const fs::path& source,
+                                       const Submission& submission, const std::vector<std::string>& paths) {
+  std::vector<std::string> steps;
+  for (const auto& [step, files] : flags.files) steps.push_back(step);
+  std::string words =
+      fmt::format("{}: holds none of the steps; it must have folders such as {}", source.string(), join(steps));
+
+  const std::vector<std::string> found = folders_of_steps(flags, paths);
+  std::vector<std::string> deeper = found;
+  std::erase_if(deeper, [&](const std::string& front) { return front.find('/') == std::string::npos; });
+  const fs::path whole = fs::weakly_canonical(source);
+  if (flags.files.contains(whole.filename().string()))
+    words +=
+        fmt::format("; it is the folder of one step: give the folder that it is in, {}", whole.parent_path().string());
+  else if (!deeper.empty() && !submission.source.empty())
+    words += fmt::format("; steps were found in {}: give that folder", (source / deeper.front()).string());
+  else if (!deeper.empty())
+    words += fmt::format("; steps were found in {}: at most one folder may stand in front of them", join(deeper));
+  else if (!found.empty() && submission.notes.empty())
+    words += "; there are folders of steps, and none of the files that must be in them";
+  else if (const auto stray = stray_files(flags, paths); !stray.empty())
+    words += "; " + join(stray);
+  if (!submission.notes.empty()) words += "; passed over: " + join(submission.notes);
+  throw Error(words);
 }
 
 /// The last part of the path, also for "solutions/", "." and "..".
@@ -46,18 +140,20 @@ std::string name_of(const fs::path& source) {
 
 Submission take_submission(const judge::StepFlags& flags, const fs::path& source, const fs::path& folder) {
   if (!fs::exists(source)) throw Error(fmt::format("{}: there is no such folder or archive", source.string()));
-  Submission submission{.name = name_of(source), .folder = folder, .present = {}};
+  Submission submission;
+  submission.name = name_of(source);
+  submission.folder = folder;
   fs::create_directories(folder);
-  if (fs::is_directory(source))
-    take_folder(flags, source, submission);
-  else
-    take_zip(flags, source, submission);
-  if (submission.present.empty()) {
-    std::vector<std::string> steps;
-    for (const auto& [step, files] : flags.files) steps.push_back(step);
-    throw Error(
-        fmt::format("{}: holds none of the steps; it must have folders such as {}", source.string(), join(steps)));
+  std::vector<std::string> paths;
+  if (fs::is_directory(source)) {
+    submission.source = holder_of_steps(flags, source);
+    take_folder(flags, submission);
+    if (submission.present.empty()) paths = list_folder(source);
+  } else {
+    paths = take_zip(flags, source, submission);
   }
+  keep_first(submission.notes);
+  if (submission.present.empty()) refuse_without_steps(flags, source, submission, paths);
   return submission;
 }
 

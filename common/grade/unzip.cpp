@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "case/printable.hpp"
 
 namespace atelier::grade {
@@ -27,17 +28,38 @@ std::string words_of(archive* reader) {
   return shorten(printable(words ? words : "no reason given"), 200);
 }
 
+/// What a file is that is no whole ZIP: by its first bytes, since the library says the same of all.
+std::string what_it_is(const fs::path& file) {
+  struct Kind {
+    std::string_view magic;
+    const char* words;
+  };
+  constexpr std::string_view zip("PK\x03\x04", 4);
+  static constexpr Kind kinds[] = {{"\x1f\x8b", "a gzip archive"},
+                                   {"7z\xbc\xaf", "a 7z archive"},
+                                   {"Rar!", "a RAR archive"},
+                                   {"BZh", "a bzip2 archive"}};
+  const std::string bytes = read_file(file);
+  if (bytes.starts_with(zip))
+    return "is cut off or damaged: it begins as a ZIP, and the list of members at its end is not there";
+  if (bytes.starts_with("PK\x05\x06")) return "is an archive without a file in it";
+  for (const Kind& kind : kinds)
+    if (bytes.starts_with(kind.magic)) return std::string("is ") + kind.words + ", not a ZIP";
+  return "is no ZIP archive";
+}
+
 Archive open_zip(const fs::path& file, const ZipLimits& limits) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) refuse(file, "is no regular file; a submission is a folder or a ZIP of one");
-  if (const auto size = fs::file_size(file, error); error || size > limits.archive_bytes)
+  const auto size = fs::file_size(file, error);
+  if (error || size > limits.archive_bytes)
     refuse(file, fmt::format("is too large; an archive may have {} bytes", limits.archive_bytes));
+  if (size == 0) refuse(file, "is empty (0 bytes); a submission is a folder or a ZIP of one");
   Archive reader(archive_read_new(), archive_read_free);
   // The list of members at the end of the file is what counts, as for every unpacker that a student has tried it with.
   if (!reader || archive_read_support_format_zip_seekable(reader.get()) != ARCHIVE_OK)
     refuse(file, "cannot be read: the archive library does not know ZIP");
-  if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK)
-    refuse(file, "is no ZIP archive: " + words_of(reader.get()));
+  if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK) refuse(file, what_it_is(file));
   return reader;
 }
 
@@ -54,31 +76,64 @@ std::optional<Place> place_of(const std::string& member, const std::set<std::str
   return Place{member.substr(slash + 1), member.substr(0, slash)};
 }
 
+/// Whether a path leads out of the folder that it is unpacked in.
+bool leads_out(const std::string& path) {
+  if (path.starts_with('/')) return true;
+  for (const fs::path& part : fs::path(path))
+    if (part == "..") return true;
+  return false;
+}
+
+/// Why a member that is no plain file cannot be taken; empty for a file.
+std::string why_special(archive_entry* entry) {
+  if (archive_entry_filetype(entry) == AE_IFLNK || archive_entry_symlink(entry)) return judge::is_link;
+  if (archive_entry_hardlink(entry)) return "is a hard link, which is not followed";
+  if (archive_entry_filetype(entry) != AE_IFREG) return "is not a regular file";
+  return {};
+}
+
 class ZipReader {
  public:
   ZipReader(const fs::path& file, const ZipLimits& limits)
       : file_(file), limits_(limits), reader_(open_zip(file, limits)), archive_bytes_(fs::file_size(file)) {}
 
-  std::map<std::string, std::string> read(const std::set<std::string>& wanted) {
-    std::map<std::string, std::string> found;
-    std::optional<std::string> front;
+  ZipContents read(const std::set<std::string>& wanted) {
     while (archive_entry* entry = next()) {
-      const char* name = archive_entry_pathname(entry);
-      const auto place = name ? place_of(name, wanted) : std::nullopt;
-      const bool plain =
-          archive_entry_filetype(entry) == AE_IFREG && !archive_entry_symlink(entry) && !archive_entry_hardlink(entry);
-      if (!place || !plain) continue;
-      if (front && *front != place->front)
-        refuse(file_, fmt::format("has steps in two folders, '{}' and '{}'; it must be one submission",
-                                  printable(*front), printable(place->front)));
-      front = place->front;
-      if (found.contains(place->name)) refuse(file_, place->name + " is there twice");
-      found[place->name] = inflate(entry, place->name);
+      const char* path = archive_entry_pathname(entry);
+      const std::string name = path ? path : "";
+      contents_.names.push_back(name);
+      const std::string special = why_special(entry);
+      const auto place = place_of(name, wanted);
+      if (leads_out(name))
+        pass_over(name, "leads out of the archive's folder");
+      else if (place)
+        take(entry, *place, special);
+      else if (!special.empty() && archive_entry_filetype(entry) != AE_IFDIR)
+        pass_over(name, special);
     }
-    return found;
+    return std::move(contents_);
   }
 
  private:
+  void pass_over(const std::string& name, const std::string& why) {
+    contents_.passed_over.push_back(shorten(printable(name), 100) + " " + why);
+  }
+
+  void take(archive_entry* entry, const Place& place, const std::string& special) {
+    if (front_ && *front_ != place.front)
+      refuse(file_, fmt::format("has steps in two folders, '{}' and '{}'; it must be one submission",
+                                printable(*front_), printable(place.front)));
+    front_ = place.front;
+    if (contents_.files.contains(place.name) || contents_.not_taken.contains(place.name))
+      refuse(file_, place.name + " is there twice");
+    if (!special.empty())
+      contents_.not_taken[place.name] = special;
+    else if (auto bytes = inflate(entry, place.name))
+      contents_.files[place.name] = std::move(*bytes);
+    else
+      contents_.not_taken[place.name] = judge::is_too_large(limits_.member_bytes);
+  }
+
   archive_entry* next() {
     archive_entry* entry = nullptr;
     const int status = archive_read_next_header(reader_.get(), &entry);
@@ -88,7 +143,8 @@ class ZipReader {
     return entry;
   }
 
-  std::string inflate(archive_entry* entry, const std::string& name) {
+  /// Nothing where the member is too large: what is left of it is not read.
+  std::optional<std::string> inflate(archive_entry* entry, const std::string& name) {
     if (archive_entry_is_encrypted(entry)) refuse(file_, name + " is encrypted; make the archive without a password");
     std::string bytes;
     char block[1 << 14];
@@ -98,13 +154,12 @@ class ZipReader {
       if (count < 0) refuse(file_, fmt::format("{} cannot be inflated: {}", name, words_of(reader_.get())));
       bytes.append(block, std::size_t(count));
       total_ += std::size_t(count);
-      check_cost(bytes.size(), name);
+      check_cost(name);
+      if (bytes.size() > limits_.member_bytes) return std::nullopt;
     }
   }
 
-  void check_cost(std::size_t member_bytes, const std::string& name) const {
-    if (member_bytes > limits_.member_bytes)
-      refuse(file_, fmt::format("{} is too large; a file may have {} bytes", name, limits_.member_bytes));
+  void check_cost(const std::string& name) const {
     if (total_ > limits_.total_bytes)
       refuse(file_, fmt::format("the steps' files together may have {} bytes", limits_.total_bytes));
     if (double(total_) > limits_.ratio * double(archive_bytes_))
@@ -117,12 +172,13 @@ class ZipReader {
   Archive reader_;
   std::size_t archive_bytes_ = 0, total_ = 0;
   int members_ = 0;
+  std::optional<std::string> front_;  ///< the folder in front of the steps', once one was found
+  ZipContents contents_;
 };
 
 }  // namespace
 
-std::map<std::string, std::string> read_zip(const fs::path& file, const std::set<std::string>& wanted,
-                                            const ZipLimits& limits) {
+ZipContents read_zip(const fs::path& file, const std::set<std::string>& wanted, const ZipLimits& limits) {
   return ZipReader(file, limits).read(wanted);
 }
 

@@ -53,31 +53,28 @@ const std::vector<std::string>& files_of(const StepFlags& flags, const std::stri
   throw Error(fmt::format("there is no step '{}'{}", step, suggestion(step, known)));
 }
 
-/// Why a listed file cannot be taken, as a line of the log; empty where it can.
-std::string complaint_about(const fs::path& sources, const std::string& name) {
-  std::error_code error;
-  const fs::file_status status = fs::symlink_status(sources / name, error);
-  if (status.type() == fs::file_type::not_found)
-    return fmt::format("{}: is missing; the step is built from it\n", name);
-  if (status.type() != fs::file_type::regular)
-    return fmt::format("{}: must be a regular file, no link or folder\n", name);
-  if (const auto size = fs::file_size(sources / name, error); error || size > source_limit)
-    return fmt::format("{}: must be at most {} bytes long\n", name, source_limit);
-  return {};
+NotTaken missing_files(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+  NotTaken missing;
+  for (const std::string& name : files_of(flags, step))
+    if (const std::string why = why_not_taken(sources / name); !why.empty()) missing[name] = why;
+  return missing;
 }
 
-/// What must hold before a compiler is started; the complaints, one a line.
-std::string check_sources(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+/// The includes that are not open to a step; the complaints, one a line.
+std::string check_includes(const StepFlags& flags, const std::string& step, const fs::path& sources) {
   const auto headers = flags.headers.find(step);
   std::string log;
-  for (const std::string& name : files_of(flags, step)) {
-    const std::string complaint = complaint_about(sources, name);
-    log += complaint;
-    if (complaint.empty() && name.ends_with(".cpp"))
+  for (const std::string& name : files_of(flags, step))
+    if (name.ends_with(".cpp"))
       log += refused_includes(read_file(sources / name, source_limit), name, step,
                               headers == flags.headers.end() ? std::vector<std::string>{} : headers->second);
-  }
   return log;
+}
+
+/// An older library would be taken for what these files do.
+void remove_older(const fs::path& library) {
+  std::error_code ignored;
+  fs::remove(library, ignored);
 }
 
 /// English messages with plain quotes, whatever the user's language, so that reports agree.
@@ -236,10 +233,22 @@ StepFlags read_step_flags(const fs::path& file) {
   return flags;
 }
 
+Built not_built(const NotTaken& files) {
+  Built built;
+  built.log = in_words(files) + ": the step is built from all its files.\n";
+  built.not_taken = files;
+  return built;
+}
+
 Built build_step(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& out,
                  milliseconds time_limit) {
   const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
-  Built built{.ok = false, .fresh = false, .log = check_sources(flags, step, sources)};
+  if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
+    remove_older(library);
+    return not_built(missing);
+  }
+  Built built;
+  built.log = check_includes(flags, step, sources);
   if (built.log.empty()) {
     std::vector<std::string> names;
     for (const std::string& name : files_of(flags, step))
@@ -259,16 +268,16 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
     }
   }
   built.log = bounded(built.log);
-  if (!built.ok) {  // an older library would be taken for what these files do
-    std::error_code ignored;
-    fs::remove(library, ignored);
-  }
+  if (!built.ok) remove_older(library);
   return built;
 }
 
-void take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& folder) {
+NotTaken take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources,
+                         const fs::path& folder) {
+  const NotTaken missing = missing_files(flags, step, sources);
   for (const std::string& name : files_of(flags, step))
-    if (complaint_about(sources, name).empty()) write_file(folder / name, read_file(sources / name, source_limit));
+    if (!missing.contains(name)) write_file(folder / name, read_file(sources / name, source_limit));
+  return missing;
 }
 
 }  // namespace atelier::judge

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "judge/source_file.hpp"
+
 namespace atelier::judge {
 
 struct StepFlags {
@@ -36,15 +38,18 @@ struct Built {
   bool ok = false;
   bool fresh = false;  ///< something was compiled or linked; false where all stood there already
   std::string log;     ///< the compiler's and linker's words, warnings of earlier builds among them; at most log_limit
+  NotTaken not_taken;  ///< listed files without which nothing was compiled; `log` then says the same in words
 };
 
-inline constexpr std::size_t log_limit = 20'000;        ///< bytes
-inline constexpr std::size_t source_limit = 1'000'000;  ///< bytes of one file of a student
+inline constexpr std::size_t log_limit = 20'000;  ///< bytes
+
+/// What comes of a step of which these files cannot be taken.
+Built not_built(const NotTaken& files);
 
 /// Builds the step's listed .cpp files in `sources` into OUT/NN-name/libstep.so, which appears whole or not at all, and
 /// is taken away where the files do not build. A step without C++ needs no library and is ok as it stands.
 ///
-/// Not ok, with the reason in `log`: a listed file (shaders too) that is missing, no regular file or too large; an
+/// Not ok, with the reason in `log`: a listed file (shaders too) that cannot be taken (judge/source_file.hpp); an
 /// include that is not open to a step (judge/includes.hpp); what the compiler or linker refuses, or cannot do within
 /// `time_limit` for one file.
 ///
@@ -53,9 +58,9 @@ inline constexpr std::size_t source_limit = 1'000'000;  ///< bytes of one file o
 Built build_step(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
                  const std::filesystem::path& out, std::chrono::milliseconds time_limit = std::chrono::seconds(60));
 
-/// Copies just the step's listed files from `sources` to `folder`, so that nothing else of a submission is ever read:
-/// links are not followed, and what build_step would refuse is left out.
-void take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
-                     const std::filesystem::path& folder);
+/// Copies just the step's listed files from `sources` to `folder`, so that nothing else of a submission is ever read.
+/// Returns those that cannot be taken: they are left out.
+NotTaken take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
+                         const std::filesystem::path& folder);
 
 }  // namespace atelier::judge

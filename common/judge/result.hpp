@@ -13,8 +13,8 @@ namespace atelier::judge {
 enum class Status {
   passed,
   failed,        ///< an answer came, and it is wrong
-  missing,       ///< no answer, or none that could be read
-  crashed,       ///< a signal ended the program during this case
+  missing,       ///< no answer, or none that could be read, or no files to build it from
+  crashed,       ///< a signal ended the program during this case, or something was thrown
   timeout,       ///< the time limit ended it
   build_failed,  ///< the student's files did not compile
 };

@@ -72,7 +72,44 @@ TEST_CASE("only the wanted members of a ZIP are read") {
   for (const Row& row : rows) {
     INFO(row.name);
     write_zip(zip, row.members);
-    CHECK(read_zip(zip, wanted) == row.found);
+    CHECK(read_zip(zip, wanted).files == row.found);
+  }
+}
+
+TEST_CASE("what is not taken out of a ZIP is told") {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "a.zip";
+  struct Row {
+    const char* name;
+    Member member;
+    judge::NotTaken not_taken;
+    std::vector<std::string> passed_over;
+  };
+  const std::string large(judge::source_limit + 1, 'x');
+  const Row rows[] = {
+      {"a wanted link",
+       {"01-move/move.cpp", "", "/etc/passwd"},
+       {{"01-move/move.cpp", "is a symbolic link, which is not followed"}},
+       {}},
+      {"too large",
+       {"01-move/move.cpp", large},
+       {{"01-move/move.cpp", "is larger than the limit of 1000000 bytes"}},
+       {}},
+      {"climbing", {"../01-move/move.cpp", "a"}, {}, {"../01-move/move.cpp leads out of the archive's folder"}},
+      {"climbing inside", {"x/../../y", "a"}, {}, {"x/../../y leads out of the archive's folder"}},
+      {"absolute", {"/01-move/move.cpp", "a"}, {}, {"/01-move/move.cpp leads out of the archive's folder"}},
+      {"another link", {"notes", "", "/etc"}, {}, {"notes is a symbolic link, which is not followed"}},
+      {"hostile name", {"../\x1b[2J", "a"}, {}, {"../\xEF\xBF\xBD[2J leads out of the archive's folder"}},
+      {"another file", {"README", "x"}, {}, {}},
+      {"dots in a name", {"..notes", "x"}, {}, {}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    write_zip(zip, {row.member, {"02-light/light.glsl", "b"}});
+    const ZipContents contents = read_zip(zip, wanted, {.ratio = 1e6});
+    CHECK(contents.not_taken == row.not_taken);
+    CHECK(contents.passed_over == row.passed_over);
+    CHECK(contents.files == std::map<std::string, std::string>{{"02-light/light.glsl", "b"}});
   }
 }
 
@@ -89,7 +126,6 @@ TEST_CASE("archives that cost too much or make no sense are refused") {
   const Row rows[] = {
       {"twice", {{"a/01-move/move.cpp", "a"}, {"a/01-move/move.cpp", "b"}}, {}, "twice"},
       {"two submissions", {{"a/01-move/move.cpp", "a"}, {"b/02-light/light.glsl", "b"}}, {}, "two folders"},
-      {"a large member", {{"01-move/move.cpp", text}}, {.member_bytes = 99'999, .ratio = 1e6}, "too large"},
       {"large together",
        {{"01-move/move.cpp", text}, {"02-light/light.glsl", text}},
        {.total_bytes = 150'000, .ratio = 1e6},
@@ -110,10 +146,21 @@ TEST_CASE("files that are no archive, or only a part of one, are refused") {
   const fs::path zip = folder.path() / "a.zip";
   write_zip(zip, {{"01-move/move.cpp", std::string(5000, 'a') + std::string(5000, 'b')}});
   const std::string whole = read_file(zip);
-  for (const std::size_t bytes : {std::size_t(0), std::size_t(1), whole.size() / 2, whole.size() - 1}) {
-    INFO(bytes);
-    write_file(zip, std::string_view(whole).substr(0, bytes));
-    CHECK(mentions(error_of([&] { read_zip(zip, wanted); }), {"a.zip"}));
+  struct Row {
+    std::string bytes;
+    const char* says;
+  };
+  const Row rows[] = {{"", "is empty (0 bytes)"},
+                      {"P", "is no ZIP archive"},
+                      {"PK nothing", "is no ZIP archive"},
+                      {"PK\5\6" + std::string(18, '\0'), "is an archive without a file in it"},
+                      {"\x1f\x8b\x08 gzip", "is a gzip archive, not a ZIP"},
+                      {whole.substr(0, whole.size() / 2), "is cut off or damaged"},
+                      {whole.substr(0, whole.size() - 1), "a.zip: is "}};
+  for (const Row& row : rows) {
+    INFO(row.bytes.size());
+    write_file(zip, std::string_view(row.bytes));
+    CHECK(mentions(error_of([&] { read_zip(zip, wanted); }), {"a.zip", row.says}));
   }
   // Any single byte changed: an error or the right bytes, never wrong ones (each member has a checksum) and no crash.
   const std::map<std::string, std::string> right = {
@@ -123,7 +170,7 @@ TEST_CASE("files that are no archive, or only a part of one, are refused") {
     broken[i] = char(broken[i] ^ 0x55);
     write_file(zip, std::string_view(broken));
     try {
-      const auto found = read_zip(zip, wanted);
+      const auto found = read_zip(zip, wanted).files;
       CHECK((found.empty() || found == right));
     } catch (const Error&) {
     }
@@ -147,6 +194,23 @@ TEST_CASE("a submission is the listed files, copied") {
   CHECK(fs::exists(taken.folder / "02-light/light.glsl"));
   CHECK(!fs::exists(taken.folder / "01-move/CMakeLists.txt"));
   CHECK(!fs::exists(taken.folder / "02-light/light.cpp"));
+  CHECK(taken.not_taken == std::map<std::string, judge::NotTaken>{
+                               {"02-light", {{"light.cpp", "is a symbolic link, which is not followed"}}}});
+  CHECK(taken.notes == std::vector<std::string>{"02-light/light.cpp is a symbolic link, which is not followed"});
+}
+
+TEST_CASE("one folder may stand around the steps") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "ada/hw1/01-move/move.cpp", std::string_view("int a;"));
+  write_file(folder.path() / "ada/notes/README", std::string_view("x"));
+  const Submission taken = take_submission(flags, folder.path() / "ada", folder.path() / "copy");
+  CHECK(taken.present == std::set<std::string>{"01-move"});
+  CHECK(taken.source == folder.path() / "ada/hw1");
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "int a;");
+
+  write_file(folder.path() / "ada/hw2/02-light/light.cpp", std::string_view("int a;"));
+  CHECK(mentions(error_of([&] { take_submission(flags, folder.path() / "ada", folder.path() / "copy"); }),
+                 {"'hw1' and 'hw2'"}));
 }
 
 TEST_CASE("a step whose folder is a link was not handed in") {
@@ -156,6 +220,19 @@ TEST_CASE("a step whose folder is a link was not handed in") {
   fs::create_directory_symlink(folder.path() / "solution/01-move", folder.path() / "ada/01-move");
   const Submission taken = take_submission(flags, folder.path() / "ada", folder.path() / "copy");
   CHECK(taken.present == std::set<std::string>{"02-light"});
+  CHECK(taken.passed_over ==
+        std::map<std::string, std::string>{{"01-move", "is a symbolic link, which is not followed"}});
+  CHECK(taken.notes == std::vector<std::string>{"01-move is a symbolic link, which is not followed"});
+}
+
+TEST_CASE("notes are bounded") {
+  const TemporaryFolder folder;
+  std::vector<Member> members = {{"01-move/move.cpp", "a"}};
+  for (int i = 0; i < 100; ++i) members.push_back({"../" + std::to_string(i), "x"});
+  write_zip(folder.path() / "ada.zip", members);
+  const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
+  REQUIRE(taken.notes.size() == most_notes);
+  CHECK(taken.notes.back() == "81 more of the kind");
 }
 
 TEST_CASE("an archive becomes the same as its folder") {
@@ -165,6 +242,16 @@ TEST_CASE("an archive becomes the same as its folder") {
   CHECK(taken.name == "ada");
   CHECK(taken.present == std::set<std::string>{"01-move"});
   CHECK(read_file(taken.folder / "01-move/move.cpp") == "int a;");
+  CHECK(taken.source.empty());
+}
+
+TEST_CASE("what an archive lacks of a step is told, and why") {
+  const TemporaryFolder folder;
+  write_zip(folder.path() / "ada.zip", {{"02-light/light.cpp", "", "/etc/passwd"}});
+  const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
+  CHECK(taken.present == std::set<std::string>{"02-light"});
+  CHECK(judge::in_words(taken.not_taken.at("02-light")) ==
+        "light.cpp is a symbolic link, which is not followed; light.glsl is missing");
 }
 
 TEST_CASE("what holds no step is refused") {
@@ -177,4 +264,20 @@ TEST_CASE("what holds no step is refused") {
   CHECK(mentions(take("empty"), {"empty", "none of the steps", "01-move"}));
   CHECK(mentions(take("other.zip"), {"other.zip", "none of the steps"}));
   CHECK(mentions(take("nowhere"), {"nowhere", "no such"}));
+
+  write_file(folder.path() / "deep/a/b/01-move/move.cpp", std::string_view("x"));
+  CHECK(mentions(take("deep"), {"steps were found in " + (folder.path() / "deep/a/b").string() + ": give that"}));
+  CHECK(mentions(take("deep/a/b/01-move"), {"folder of one step", (folder.path() / "deep/a/b").string()}));
+  write_file(folder.path() / "stray/src/light.glsl", std::string_view("x"));
+  CHECK(mentions(take("stray"), {"src/light.glsl belongs in 02-light/"}));
+  fs::create_directories(folder.path() / "linked");
+  fs::create_directory_symlink(folder.path() / "deep/a/b/01-move", folder.path() / "linked/01-move");
+  CHECK(mentions(take("linked"), {"passed over: 01-move is a symbolic link"}));
+
+  write_zip(folder.path() / "deep.zip", {{"a/b/01-move/move.cpp", "x"}});
+  CHECK(mentions(take("deep.zip"), {"steps were found in a/b: at most one folder"}));
+  write_zip(folder.path() / "hollow.zip", {{"a/01-move/CMakeLists.txt", "x"}});
+  CHECK(mentions(take("hollow.zip"), {"none of the files that must be in them"}));
+  write_zip(folder.path() / "climbs.zip", {{"../01-move/move.cpp", "x"}});
+  CHECK(mentions(take("climbs.zip"), {"passed over: ../01-move/move.cpp leads out"}));
 }

@@ -2,6 +2,7 @@
 #include "judge/build.hpp"
 
 #include <dlfcn.h>
+#include <sys/stat.h>
 
 #include <functional>
 
@@ -171,27 +172,33 @@ TEST_CASE("what does not build leaves no library behind and says why") {
       {"a short cut",
        [](Course& c) { c.write("sum.cpp", "\n#include <glm/gtc/matrix_transform.hpp>\n"); },
        {"sum.cpp:2: #include <glm/gtc/matrix_transform.hpp>", "look_at"}},
-      {"a file missing", [](Course& c) { fs::remove(c.student / "product.cpp"); }, {"product.cpp: is missing"}},
-      {"a shader missing", [](Course& c) { fs::remove(c.student / "sums.glsl"); }, {"sums.glsl: is missing"}},
-      {"no folder", [](Course& c) { fs::remove_all(c.student); }, {"sum.cpp: is missing"}},
+      {"a file missing", [](Course& c) { fs::remove(c.student / "product.cpp"); }, {"product.cpp is missing"}},
+      {"a shader missing", [](Course& c) { fs::remove(c.student / "sums.glsl"); }, {"sums.glsl is missing"}},
+      {"no folder", [](Course& c) { fs::remove_all(c.student); }, {"sum.cpp is missing", "sums.glsl is missing"}},
       {"a link",
        [](Course& c) {
          fs::rename(c.student / "sum.cpp", c.student / "real.cpp");
          fs::create_symlink("real.cpp", c.student / "sum.cpp");
        },
-       {"sum.cpp: must be a regular file"}},
+       {"sum.cpp is a symbolic link, which is not followed"}},
       {"a folder",
        [](Course& c) {
          fs::remove(c.student / "sum.cpp");
          fs::create_directory(c.student / "sum.cpp");
        },
-       {"sum.cpp: must be a regular file"}},
+       {"sum.cpp is a folder, not a regular file"}},
       {"a huge file",
        [](Course& c) { c.write("sum.cpp", std::string(source_limit + 1, ' ')); },
-       {"sum.cpp: must be at most"}},
+       {"sum.cpp is larger than the limit of 1000000 bytes"}},
       {"a huge shader",
        [](Course& c) { fs::resize_file(c.student / "sums.glsl", std::uintmax_t(1) << 40); },
-       {"sums.glsl: must be at most"}},
+       {"sums.glsl is larger than"}},
+      {"a FIFO",
+       [](Course& c) {
+         fs::remove(c.student / "sum.cpp");
+         REQUIRE(::mkfifo((c.student / "sum.cpp").c_str(), 0600) == 0);
+       },
+       {"sum.cpp is a FIFO, not a regular file"}},
       {"a flood of errors",
        [](Course& c) {
          std::string text;
@@ -252,7 +259,8 @@ TEST_CASE("only the listed files of a submission are taken") {
   fs::remove(course.student / "sums.glsl");
   fs::create_symlink("/etc/passwd", course.student / "sums.glsl");
   const fs::path taken = course.folder.path() / "taken";
-  take_step_files(course.flags, "90-sums", course.student, taken);
+  const NotTaken left = take_step_files(course.flags, "90-sums", course.student, taken);
+  CHECK(left == NotTaken{{"sums.glsl", "is a symbolic link, which is not followed"}});
   std::vector<std::string> names;
   for (const auto& file : fs::directory_iterator(taken)) names.push_back(file.path().filename());
   std::sort(names.begin(), names.end());
