@@ -121,6 +121,7 @@ int run_grade(const GradeOptions& options) {
     result.steps.push_back(grade_step(grading, options, steps[i], judges[i]));
   grade::sum_up(result);
   point_to_submission(result, grading.submission.source);
+  result.notes = grading.submission.notes;
   result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
 
   fmt::print("{}", options.json ? judge::results_json(result)

@@ -60,6 +60,7 @@ details.case > summary { display: flex; gap: .9rem; align-items: baseline; paddi
 details.case > summary::-webkit-details-marker { display: none; }
 summary .title { font-weight: 600; overflow-wrap: anywhere; } summary .score { margin-left: auto; }
 summary .status { min-width: 7.2rem; }
+.names { display: flex; flex-wrap: wrap; gap: .2rem 1rem; margin: .8rem 0 0; }
 .body { padding: .3rem 1rem 1.2rem; border-top: 1px solid var(--line); }
 dl { margin: .8rem 0; display: grid; grid-template-columns: 6.5rem 1fr; gap: .35rem 1rem; max-width: 56rem; }
 dt { color: var(--soft); } dd { margin: 0; overflow-wrap: anywhere; }
@@ -121,8 +122,8 @@ const all = (selector, within = document) => [...within.querySelectorAll(selecto
 
 // A link from the table, or from the terminal, opens the case that it leads to.
 function reveal() {
-  const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
-  if (target instanceof HTMLDetailsElement) { target.open = true; target.scrollIntoView(); }
+  const place = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest("details");
+  if (place) { place.open = true; place.scrollIntoView(); }
 }
 addEventListener("hashchange", reveal);
 reveal();

@@ -67,21 +67,37 @@ std::string text_block(const char* label, const std::string& text, const char* k
   return fmt::format("<div class=\"soft\">{}</div><pre{}>{}</pre>\n", label, kind, escape_markup(text));
 }
 
-std::string case_html(const StepResult& step, const CaseResult& result) {
+/// The names of a group's cases, each a place on the page of its own: "STEP.CASE" is linked to from elsewhere.
+std::string names_html(const StepResult& step, const CaseGroup& group) {
+  std::string html = "<p class=\"soft names\">";
+  for (const CaseResult* c : group)
+    html += fmt::format("<span id=\"{}\" title=\"{}\">{}</span> ", case_anchor(step, *c), escape_markup(c->title),
+                        escape_markup(c->name));
+  return html + "</p>\n";
+}
+
+/// The place of one case, or of several that failed alike.
+std::string group_html(const StepResult& step, const CaseGroup& group) {
+  const CaseResult& first = *group.front();
+  const bool several = group.size() > 1;
+  const Points sum = sum_of(group);
   std::string html = fmt::format(
-      "<details class=\"case{}\" id=\"{}\"{}>\n<summary>{}<span class=\"title\">{}</span><span class=\"soft mono\">{}"
-      "</span><span class=\"score\">{}</span></summary>\n<div class=\"body\">\n<dl>\n",
-      passed_class(result), case_anchor(step, result), result.status == Status::passed ? "" : " open",
-      status_label(result.status), escape_markup(result.title), escape_markup(result.name),
-      score_text(result.score, result.max_score));
-  for (const Remark& remark : remarks(result)) html += remark_html(remark);
-  html += "</dl>\n" + figures_html(result) + text_block("Inputs and numbers", result.table, " class=\"table\"");
-  if (const std::vector<ReportPicture> pictures = report_pictures(result); !pictures.empty()) {
+      "<details class=\"case{}\"{}{}>\n<summary>{}<span class=\"title\">{}</span><span class=\"soft mono\">{}"
+      "</span><span class=\"score\">{}</span></summary>\n<div class=\"body\">\n",
+      passed_class(first), several ? "" : fmt::format(" id=\"{}\"", case_anchor(step, first)),
+      first.status == Status::passed ? "" : " open", status_label(first.status),
+      escape_markup(several ? cases_words(group) : first.title), several ? "" : escape_markup(first.name),
+      score_text(sum.score, sum.max_score));
+  if (several) html += names_html(step, group);
+  html += "<dl>\n";
+  for (const Remark& remark : remarks(group)) html += remark_html(remark);
+  html += "</dl>\n" + figures_html(first) + text_block("Inputs and numbers", first.table, " class=\"table\"");
+  if (const std::vector<ReportPicture> pictures = report_pictures(first); !pictures.empty()) {
     html += "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : pictures) html += picture_html(picture);
     html += "</div>\n";
   }
-  return html + text_block("What the program printed", result.output) + "</div>\n</details>\n";
+  return html + text_block("What the program printed", output_of(group)) + "</div>\n</details>\n";
 }
 
 std::string step_html(const StepResult& step) {
@@ -99,7 +115,7 @@ std::string step_html(const StepResult& step) {
     html += "</p>\n";
   }
   html += text_block("What the compiler said", step.build_log);
-  for (const CaseResult& result : step.cases) html += case_html(step, result);
+  for (const CaseGroup& group : case_groups(step)) html += group_html(step, group);
   return html + "</section>\n";
 }
 
@@ -113,12 +129,15 @@ std::string table_html(const SubmissionResult& result) {
         "<tbody>\n<tr><th scope=\"rowgroup\" colspan=\"3\">{} <span class=\"soft mono\">{}</span></th>"
         "<th class=\"score\">{} / {}</th></tr>\n",
         escape_markup(step.title), escape_markup(step.step), points_text(step.score), points_text(step.max_score));
-    for (const CaseResult& c : step.cases) {
+    for (const CaseGroup& group : case_groups(step)) {
+      const CaseResult& first = *group.front();
+      const Points sum = sum_of(group);
       html += fmt::format(
           "<tr class=\"row{}\"><td><a href=\"#{}\">{}</a></td><td>{}</td><td class=\"reason\">{}</td>"
           "<td class=\"score\">{} / {}</td></tr>\n",
-          passed_class(c), case_anchor(step, c), escape_markup(c.title), status_label(c.status),
-          escape_markup(c.reason), points_text(c.score), points_text(c.max_score));
+          passed_class(first), case_anchor(step, first),
+          escape_markup(group.size() > 1 ? cases_words(group) : first.title), status_label(first.status),
+          escape_markup(first.reason), points_text(sum.score), points_text(sum.max_score));
     }
     html += "</tbody>\n";
   }
@@ -138,6 +157,13 @@ std::string header_html(const SubmissionResult& result) {
       "<header class=\"top\">\n<h1>{}</h1><span class=\"score total\">{}</span>\n<div class=\"bar\" role=\"img\" "
       "aria-label=\"{} of {} cases passed\">{}</div>\n<p class=\"tally\">{} of {} cases passed</p>\n</header>\n",
       escape_markup(result.submission), score_text(result.score, result.max_score), passed, cases, bar, passed, cases);
+}
+
+std::string notes_html(const std::vector<std::string>& notes) {
+  if (notes.empty()) return {};
+  std::string html = "<p class=\"soft\">Passed over in this submission:</p>\n<ul>\n";
+  for (const std::string& note : notes) html += "<li>" + escape_markup(note) + "</li>\n";
+  return html + "</ul>\n";
 }
 
 std::string footer_html(const Environment& environment) {
@@ -160,7 +186,7 @@ std::string html_report(const SubmissionResult& result) {
   html += header_html(result) +
           "<main>\n<p class=\"tools\"><button id=\"filter\" aria-pressed=\"false\" hidden>Only what "
           "did not pass</button></p>\n" +
-          table_html(result);
+          notes_html(result.notes) + table_html(result);
   for (const StepResult& step : result.steps) html += step_html(step);
   html += "</main>\n" + footer_html(result.environment);
   html +=

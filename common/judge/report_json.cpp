@@ -70,11 +70,9 @@ Json step_json(const StepResult& step) {
 std::string results_json(const SubmissionResult& result) {
   Json steps = Json::array();
   for (const StepResult& step : result.steps) steps.push_back(step_json(step));
-  const Json document = {{"submission", result.submission},
-                         {"score", points(result.score)},
-                         {"max_score", points(result.max_score)},
-                         {"steps", std::move(steps)},
-                         {"environment", result.environment}};
+  const Json document = {{"submission", result.submission},       {"score", points(result.score)},
+                         {"max_score", points(result.max_score)}, {"steps", std::move(steps)},
+                         {"environment", result.environment},     {"notes", result.notes}};
   return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

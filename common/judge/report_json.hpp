@@ -5,7 +5,9 @@
 //       "cases": [{"name", "title", "status", "score", "max_score", "reason", "mistake": NAME or null, "hint",
 //          "asked", "mistake_sentence", "credit", "command", "figures": {NAME: NUMBER}, "table", "output",
 //          "worst": null or {"x", "y", "yours": [r,g,b,a], "reference": [r,g,b,a]}}]}],
-//    "environment": {"driver", "context", "compiler", ...}}
+//    "environment": {"driver", "context", "compiler", ...},
+//    "notes": [TEXT]}                    what of the submission was passed over: links, files too large, paths that
+//    climb
 //
 // `status` is one of passed, failed, missing, crashed, timeout, build_failed. Points are rounded to millionths, so that
 // sums of thirds compare equal. Non-finite numbers are "nan", "inf", "-inf".

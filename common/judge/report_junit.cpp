@@ -49,15 +49,16 @@ std::string testcase(const StepResult& step, const CaseResult& result) {
   return xml + "    </testcase>\n";
 }
 
-std::string testsuite(const StepResult& step, const Environment& environment) {
+std::string testsuite(const StepResult& step, const SubmissionResult& result) {
   std::string xml = fmt::format("  <testsuite{} tests=\"{}\" failures=\"{}\" errors=\"{}\" skipped=\"0\">\n",
                                 attribute("name", step.step), step.cases.size(), failures(step), errors(step));
   xml += "    <properties>\n" + property("score", points_text(step.score)) +
          property("max_score", points_text(step.max_score));
   for (const auto& [of_step, who] : step.implementations) xml += property("implementation of " + of_step, who);
-  for (const auto& [name, value] : environment) xml += property(name, value);
+  for (const auto& [name, value] : result.environment) xml += property(name, value);
+  for (const std::string& note : result.notes) xml += property("passed over", note);
   xml += "    </properties>\n";
-  for (const CaseResult& result : step.cases) xml += testcase(step, result);
+  for (const CaseResult& c : step.cases) xml += testcase(step, c);
   if (!step.build_log.empty()) xml += "    <system-err>" + escape_markup(step.build_log) + "</system-err>\n";
   return xml + "  </testsuite>\n";
 }
@@ -72,7 +73,7 @@ std::string junit_xml(const SubmissionResult& result) {
     tests += step.cases.size();
     failed += failures(step);
     broken += errors(step);
-    suites += testsuite(step, result.environment);
+    suites += testsuite(step, result);
   }
   return fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites{} tests=\"{}\" failures=\"{}\" errors=\"{}\">\n{}"

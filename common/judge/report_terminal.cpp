@@ -111,54 +111,67 @@ std::string mark(Status status, const TerminalStyle& style) {
 
 // ---- the parts of a report
 
+/// The name of a case, as a link to its place in the report, or how many cases a group has.
+std::string group_name(const StepResult& step, const CaseGroup& group, int width, const TerminalStyle& style) {
+  const std::string name = fitted(printable(group.size() > 1 ? cases_words(group) : group.front()->name), width);
+  return linked(name, case_anchor(step, *group.front()), style) + std::string(std::size_t(width - columns(name)), ' ');
+}
+
+std::string group_score(const CaseGroup& group) {
+  const Points sum = sum_of(group);
+  return points_text(sum.score) + "/" + points_text(sum.max_score);
+}
+
 std::string reason_words(const CaseResult& result) {
   const bool said = result.status == Status::passed || result.status == Status::failed;
   const std::string reason = printable(result.reason);
   return said ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
 }
 
-std::string case_line(const StepResult& step, const CaseResult& result, int name_width, int score_width,
-                      const TerminalStyle& style) {
-  const std::string name = fitted(printable(result.name), name_width);
-  const std::string gap(std::size_t(name_width - columns(name)), ' ');
-  const std::string score = points_text(result.score) + "/" + points_text(result.max_score);
+std::string group_line(const StepResult& step, const CaseGroup& group, int name_width, int score_width,
+                       const TerminalStyle& style) {
+  const CaseResult& first = *group.front();
   const int left = std::max(20, style.width - name_width - score_width - 8);
-  return fmt::format("  {} {}{}  {:>{}}  {}\n", mark(result.status, style),
-                     linked(name, case_anchor(step, result), style), gap, score, score_width,
-                     fitted(reason_words(result), left));
+  return fmt::format("  {} {}  {:>{}}  {}\n", mark(first.status, style), group_name(step, group, name_width, style),
+                     group_score(group), score_width, fitted(reason_words(first), left));
 }
 
 std::string step_table(const StepResult& step, const TerminalStyle& style) {
-  int name_width = 8, score_width = 3;
-  for (const CaseResult& result : step.cases) {
-    name_width = std::clamp(columns(printable(result.name)), name_width, 32);
-    const std::string score = points_text(result.score) + "/" + points_text(result.max_score);
-    score_width = std::max(score_width, int(score.size()));
+  const std::vector<CaseGroup> groups = case_groups(step);
+  int name_width = 9, score_width = 3;
+  for (const CaseGroup& group : groups) {
+    if (group.size() == 1) name_width = std::clamp(columns(printable(group.front()->name)), name_width, 32);
+    score_width = std::max(score_width, int(group_score(group).size()));
   }
   std::string text = painted(printable(step.step), bold, style) + "  " + printable(step.title) + "  " +
                      painted(score_text(step.score, step.max_score), bold, style) + "\n";
   for (const auto& [of_step, who] : step.implementations) {
     text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
   }
-  for (const CaseResult& result : step.cases) text += case_line(step, result, name_width, score_width, style);
+  for (const CaseGroup& group : groups) text += group_line(step, group, name_width, score_width, style);
   return text;
 }
 
-std::string case_explanation(const StepResult& step, const CaseResult& result, const TerminalStyle& style) {
-  std::string text = "\n" + mark(result.status, style) + " " +
-                     linked(painted(printable(result.name), bold, style), case_anchor(step, result), style) + "  " +
-                     printable(result.title) + "\n";
-  for (const Remark& remark : remarks(result)) {
+std::string explanation(const StepResult& step, const CaseGroup& group, const TerminalStyle& style) {
+  const CaseResult& first = *group.front();
+  const bool several = group.size() > 1;
+  std::string text = "\n" + mark(first.status, style) + " " +
+                     linked(painted(printable(several ? cases_words(group) : first.name), bold, style),
+                            case_anchor(step, first), style) +
+                     "  " + printable(several ? status_words(first.status) : first.title) + "\n";
+  std::vector<Remark> said = remarks(group);
+  if (several) said.insert(said.begin(), {"cases", case_names(group)});
+  for (const Remark& remark : said) {
     const bool verbatim = remark.label == "again";  // a command must be copied in one piece
     const std::string words = printable(remark.text);
     text += painted(padded("  " + remark.label, label_width), dim, style) +
             (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";
   }
-  if (!result.table.empty()) text += indented(printable(result.table, Layout::keep_lines), "    ");
-  if (style.heat_maps && result.evidence) text += indented(ascii_heat_map(result.evidence->over), "    ");
-  if (!result.output.empty()) {
+  if (!first.table.empty()) text += indented(printable(first.table, Layout::keep_lines), "    ");
+  if (style.heat_maps && first.evidence) text += indented(ascii_heat_map(first.evidence->over), "    ");
+  if (const std::string output = output_of(group); !output.empty()) {
     text += painted("  the program said:", dim, style) + "\n";
-    text += indented(printable(result.output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+    text += indented(printable(output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
   }
   return text;
 }
@@ -190,15 +203,15 @@ std::string terminal_report(const StepResult& step, const TerminalStyle& style) 
     text += painted("  the compiler said:", dim, style) + "\n";
     text += indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
   }
-  for (const CaseResult& result : step.cases) {
-    if (result.status != Status::passed) text += case_explanation(step, result, style);
-  }
+  for (const CaseGroup& group : case_groups(step))
+    if (group.front()->status != Status::passed) text += explanation(step, group, style);
   return text;
 }
 
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style) {
   std::string text;
   for (const StepResult& step : result.steps) text += terminal_report(step, style) + "\n";
+  for (const std::string& note : result.notes) text += "passed over: " + printable(note) + "\n";
   int passed = 0;
   std::size_t cases = 0;
   for (const StepResult& step : result.steps) passed += count(step, Status::passed), cases += step.cases.size();

@@ -25,10 +25,12 @@ TerminalStyle terminal_style(int descriptor);
 /// Whether OSC-8 hyperlinks make sense: only on a terminal that is not "dumb".
 bool can_link(int descriptor);
 
-/// All steps: the tables, then the failures, then the sum. Everything that came from outside is printable.
+/// All steps: the tables, then the failures, then what was passed over, then the sum. Everything that came from outside
+/// is printable.
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style);
 
-/// One step: a line a case, with status, name, score and reason; then its failures.
+/// One step: a line a case, with status, name, score and reason; then its failures. Cases without an answer for the
+/// same reason are told of together, once.
 std::string terminal_report(const StepResult& step, const TerminalStyle& style);
 
 /// The red channel, 0..1, of an error image (a mask of failing pixels, or FLIP's) as text `columns` wide, framed: a

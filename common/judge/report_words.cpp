@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "case/printable.hpp"
 
@@ -63,6 +65,56 @@ std::vector<Remark> remarks(const CaseResult& result) {
   };
   std::erase_if(all, [](const Remark& remark) { return remark.text.empty(); });
   return all;
+}
+
+std::vector<CaseGroup> case_groups(const StepResult& step) {
+  std::vector<CaseGroup> groups;
+  std::map<std::pair<Status, std::string>, std::size_t> group_of;
+  for (const CaseResult& result : step.cases) {
+    const bool answered = result.status == Status::passed || result.status == Status::failed;
+    const auto [place, is_new] = answered ? std::pair(group_of.end(), true)
+                                          : group_of.try_emplace({result.status, result.reason}, groups.size());
+    if (is_new)
+      groups.push_back({&result});
+    else
+      groups[place->second].push_back(&result);
+  }
+  return groups;
+}
+
+std::vector<Remark> remarks(const CaseGroup& group) {
+  std::vector<Remark> common = remarks(*group.front());
+  for (const CaseResult* result : group) {
+    const std::vector<Remark> own = remarks(*result);
+    std::erase_if(common, [&](const Remark& remark) {
+      return remark.label != "again" && std::none_of(own.begin(), own.end(), [&](const Remark& other) {
+               return other.label == remark.label && other.text == remark.text;
+             });
+    });
+  }
+  return common;
+}
+
+std::string cases_words(const CaseGroup& group) {
+  return fmt::format("{} {}", group.size(), group.size() == 1 ? "case" : "cases");
+}
+
+std::string case_names(const CaseGroup& group) {
+  std::string names;
+  for (const CaseResult* result : group) names += (names.empty() ? "" : ", ") + result->name;
+  return names;
+}
+
+Points sum_of(const CaseGroup& group) {
+  Points sum;
+  for (const CaseResult* result : group) sum.score += result->score, sum.max_score += result->max_score;
+  return sum;
+}
+
+std::string output_of(const CaseGroup& group) {
+  for (const CaseResult* result : group)
+    if (!result->output.empty()) return result->output;
+  return {};
 }
 
 int count(const StepResult& step, Status status) {

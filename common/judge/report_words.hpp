@@ -31,6 +31,30 @@ struct Remark {
 /// The remarks of a case in the order in which a student needs them, without the empty ones.
 std::vector<Remark> remarks(const CaseResult& result);
 
+/// Cases that a report tells of in one go, in the order of the step: those without an answer for the same reason (files
+/// that do not build, a program that does not start), or one case alone.
+using CaseGroup = std::vector<const CaseResult*>;
+std::vector<CaseGroup> case_groups(const StepResult& step);
+
+/// The remarks that all cases of a group have in common, in order; of one case alone, all of them. "again" is that of
+/// the first case: one is enough to see it.
+std::vector<Remark> remarks(const CaseGroup& group);
+
+/// "41 cases"
+std::string cases_words(const CaseGroup& group);
+
+/// "sphere, teapot, look-at"
+std::string case_names(const CaseGroup& group);
+
+/// The points of a group together.
+struct Points {
+  double score = 0, max_score = 0;
+};
+Points sum_of(const CaseGroup& group);
+
+/// What the program printed in the first case of the group in which it printed anything.
+std::string output_of(const CaseGroup& group);
+
 /// How many of the cases have this status.
 int count(const StepResult& step, Status status);
 

@@ -76,6 +76,7 @@ struct SubmissionResult {
   double score = 0, max_score = 0;
   std::vector<StepResult> steps;
   Environment environment;
+  std::vector<std::string> notes;  ///< what was passed over when the submission was taken, a sentence each
 };
 
 }  // namespace atelier::judge

@@ -52,6 +52,18 @@ TEST_CASE("the page has a table row and a place for each case") {
   CHECK(occurrences(html, "<figure data-role=\"detail\"") == 2);
 }
 
+TEST_CASE("what failed alike is told once, and each case keeps its place") {
+  const SubmissionResult result = test::unbuilt_sample(41);
+  const std::string html = html_report(result);
+  CHECK(occurrences(html, "<details class=\"case\"") == 1);
+  CHECK(occurrences(html, "<tr class=\"row\"") == 1);
+  CHECK(occurrences(html, "does not name a type") == 3);  // in the table, of the compiler, in its place
+  CHECK(occurrences(html, ">41 cases<") == 2);            // in the table, in its place
+  CHECK(test::mentions(html, {"0 / 82 points", "../x leads out of the archive&#39;s folder"}));
+  for (const CaseResult& c : result.steps[0].cases)
+    CHECK(occurrences(html, "id=\"" + case_anchor(result.steps[0], c) + "\"") == 1);
+}
+
 TEST_CASE("hostile texts stay text") {
   const std::string html = html_report(test::hostile_sample());
   CHECK(html.find("<script>alert") == std::string::npos);

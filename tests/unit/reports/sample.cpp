@@ -119,6 +119,26 @@ SubmissionResult sample(int side) {
               {"driver", "llvmpipe (LLVM 15.0.6, 256 bits)"}, {"context", "osmesa"}, {"compiler", "g++ 12.2.0"}}};
 }
 
+SubmissionResult unbuilt_sample(int cases) {
+  StepResult step{.step = "02-blinn-phong", .title = "Blinn-Phong shading", .max_score = 2.0 * cases};
+  step.build_log = "blinn_phong.cpp:1:1: error: 'this' does not name a type\n";
+  for (int i = 0; i < cases; ++i) {
+    CaseResult c;
+    c.name = "case-" + std::to_string(i), c.title = "Title " + std::to_string(i);
+    c.asked = "Something else in case " + std::to_string(i) + ".";
+    c.status = Status::build_failed, c.max_score = 2;
+    c.reason = "blinn_phong.cpp:1:1: error: 'this' does not name a type";
+    c.hint = "Mend what the compiler names first.";
+    c.command = "./atelier check 02 --case " + c.name;
+    step.cases.push_back(std::move(c));
+  }
+  return {.submission = "ada-lovelace",
+          .max_score = step.max_score,
+          .steps = {step},
+          .environment = {},
+          .notes = {"../x leads out of the archive's folder"}};
+}
+
 std::string hostile_text() {
   using namespace std::string_literals;
   return "<script>alert(1)</script>\"'&]]>--><img src=x onerror=alert(1)>"
@@ -132,7 +152,7 @@ std::string hostile_text() {
 SubmissionResult hostile_sample() {
   SubmissionResult result = sample(16);
   const std::string bad = hostile_text();
-  result.submission = bad;
+  result.submission = bad, result.notes = {bad};
   result.environment = {{bad, bad}};
   for (StepResult& step : result.steps) {
     step.step += bad, step.title = bad, step.build_log = bad, step.implementations = {{bad, bad}};

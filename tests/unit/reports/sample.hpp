@@ -19,6 +19,9 @@ judge::CaseResult failed_probe();
 /// One step with a case of every status, and a step that passes.
 judge::SubmissionResult sample(int side = 64);
 
+/// A step whose files do not build: `cases` cases with the same reason and different words otherwise.
+judge::SubmissionResult unbuilt_sample(int cases);
+
 /// Markup, quotes, an end of CDATA and of a script, terminal escapes (title, hyperlink, clear screen, C1), a bell, a
 /// backspace, direction marks, bytes that are no UTF-8, a NUL.
 std::string hostile_text();

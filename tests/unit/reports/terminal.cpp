@@ -72,6 +72,22 @@ TEST_CASE("a failure is explained in order, a pass is not") {
   CHECK(test::mentions(text, {"<-- wrong", "| about to draw", "4.45 / 11 points, 2 of 8 cases passed"}));
 }
 
+TEST_CASE("what failed alike is told once") {
+  const std::string text = terminal_report(test::unbuilt_sample(41), {});
+  CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x 41 cases  build failed",
+                              "cases       case-0, case-1,", "case-40", "Mend what the compiler",
+                              "passed over: ../x leads out", "0 / 82 points, 0 of 41 cases passed"}));
+  const auto times = [&](std::string_view words) {
+    int found = 0;
+    for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
+    return found;
+  };
+  CHECK(times("does not name a type") == 3);  // in the table, of the compiler, in the explanation
+  CHECK(times("Mend what") == 1);
+  CHECK(times("--case ") == 1);
+  CHECK(times("Something else") == 0);  // what is asked differs from case to case
+}
+
 TEST_CASE("without colour there is no escape sequence, with it each ends") {
   CHECK(terminal_report(test::sample(), {}).find('\x1b') == std::string::npos);
   const std::string coloured = terminal_report(test::sample(), {.colour = true});

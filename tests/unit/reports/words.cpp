@@ -33,6 +33,33 @@ TEST_CASE("a verdict speaks in a fixed order, and only of what there is") {
   CHECK(remarks(bare)[0].text == "It is missing. (no-specular)");
 }
 
+TEST_CASE("cases without an answer for the same reason are a group") {
+  StepResult step;
+  const auto add = [&](const char* name, Status status, const char* reason, const char* hint) {
+    CaseResult c;
+    c.name = name, c.status = status, c.reason = reason, c.hint = hint, c.command = std::string("check ") + name;
+    c.score = 0.5, c.max_score = 1;
+    step.cases.push_back(c);
+  };
+  add("a", Status::timeout, "not drawn", "loop");
+  add("b", Status::failed, "too dark", "loop");
+  add("c", Status::failed, "too dark", "loop");  // an answer is its own matter
+  add("d", Status::timeout, "not drawn", "another");
+  add("e", Status::crashed, "not drawn", "loop");
+  const std::vector<CaseGroup> groups = case_groups(step);
+  std::string names;
+  for (const CaseGroup& group : groups) names += case_names(group) + "; ";
+  CHECK(names == "a, d; b; c; e; ");
+  CHECK(cases_words(groups[0]) == "2 cases");
+  CHECK(sum_of(groups[0]).score == 1);
+  CHECK(sum_of(groups[0]).max_score == 2);
+  std::string said;
+  for (const Remark& remark : remarks(groups[0])) said += remark.label + ": " + remark.text + "; ";
+  CHECK(said == "seen: not drawn; again: check a; ");
+  step.cases[3].output = "hello\n";
+  CHECK(output_of(groups[0]) == "hello\n");
+}
+
 TEST_CASE("anchors are safe in addresses") {
   StepResult step;
   CaseResult result;
