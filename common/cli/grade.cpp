@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
+#include "cli/progress.hpp"
 #include "cli/search_path.hpp"
 #include "grade/environment.hpp"
 #include "grade/submission.hpp"
@@ -60,7 +61,7 @@ std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector
 }
 
 StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
-                      const grade::StepJudge& judge) {
+                      const grade::StepJudge& judge, Progress& progress) {
   const grade::Submission& submission = grading.submission;
   if (const auto found = submission.passed_over.find(step.name); found != submission.passed_over.end())
     return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
@@ -69,6 +70,7 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
     return judge.judge_unbuilt(judge::not_built(found->second));
 
   const grade::Code code{.sources = submission.folder, .libraries = grading.workshop.path() / "libraries"};
+  progress.building(step.name);
   const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
   if (!built.ok) return judge.judge_unbuilt(built);
 
@@ -80,7 +82,9 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   settings.workers = options.workers;
   settings.shuffle = options.shuffle;
   settings.shader_cache = grading.workshop.path() / "shaders";  // it holds machine code: never shared
-  StepResult result = judge.judge(settings);
+  std::size_t judged = 0;
+  const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
+  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
   result.build_log = built.log;
   result.implementations = in_words(earlier, step.name, "submission");
   return result;
@@ -117,8 +121,10 @@ int run_grade(const GradeOptions& options) {
 
   judge::SubmissionResult result;
   result.submission = grading.submission.name;
+  Progress progress(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
-    result.steps.push_back(grade_step(grading, options, steps[i], judges[i]));
+    progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], progress)));
+  progress.clear();
   grade::sum_up(result);
   point_to_submission(result, grading.submission.source);
   result.notes = grading.submission.notes;

@@ -1,0 +1,38 @@
+// How far a long command has got, on stderr, so that stdout stays what was asked for.
+#pragma once
+
+#include <cstdio>
+#include <string>
+
+#include "judge/result.hpp"
+
+namespace atelier {
+
+/// On a terminal one line that is written over and taken away in the end; elsewhere (a file, a pipe, TERM=dumb) one
+/// plain line for each finished step.
+class Progress {
+ public:
+  /// `steps` are to come; `terminal` says whether `out` can rewrite a line, which is then kept below `width` columns.
+  Progress(std::FILE* out, bool terminal, int width, std::size_t steps);
+  /// On stderr, as it is.
+  explicit Progress(std::size_t steps);
+  ~Progress() { clear(); }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void building(const std::string& step);                              ///< "01-transforms: building (step 2 of 3)"
+  void judged(const std::string& step, std::size_t k, std::size_t n);  ///< "01-transforms: case 3 of 14 (step 2 of 3)"
+  void finished(const judge::StepResult& step);  ///< "01-transforms: 12 / 14 points, 13 of 14 cases passed (...)"
+  void clear();                                  ///< takes the line of a terminal away
+
+ private:
+  void rewrite(const std::string& text);
+  std::string with_place(const std::string& text) const;
+
+  std::FILE* out_;
+  bool terminal_;
+  int width_;
+  std::size_t steps_, place_ = 1;
+};
+
+}  // namespace atelier
