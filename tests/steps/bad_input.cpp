@@ -1,5 +1,9 @@
 // Bad input gets one clear message and status 2, and leaves nothing behind.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <functional>
 
 #include "base/file.hpp"
 #include "catch.hpp"
@@ -11,7 +15,10 @@ using namespace atelier::test;
 TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[bad-input]") {
   const TemporaryFolder empty;
   write_file(empty.path() / "not-a.zip", std::string_view("PK nothing"));
+  write_file(empty.path() / "empty.zip", std::string_view());
+  write_file(empty.path() / "cut.zip", std::string_view("PK\3\4 and no more"));
   std::filesystem::create_directory(empty.path() / "no-steps");
+  std::filesystem::create_directories(empty.path() / "deep/a/b/00-hello");
   const std::string out = (empty.path() / "out").string();
   const auto path = [&](const char* name) { return (empty.path() / name).string(); };
   struct Row {
@@ -30,6 +37,10 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
       {"no such folder", {"grade", path("nowhere"), "--out", out}, "nowhere"},
       {"a folder without a step", {"grade", path("no-steps"), "--out", out}, "none of the steps"},
       {"no archive", {"grade", path("not-a.zip"), "--out", out}, "not-a.zip"},
+      {"an empty archive", {"grade", path("empty.zip"), "--out", out}, "is empty (0 bytes)"},
+      {"half an archive", {"grade", path("cut.zip"), "--out", out}, "is cut off or damaged"},
+      {"steps too deep", {"grade", path("deep"), "--out", out}, "deep/a/b: give that folder"},
+      {"a step's own folder", {"grade", "solutions/00-hello", "--out", out}, "give the folder that it is in"},
       {"no worker", {"grade", "solutions", "--workers", "0", "--out", out}, "--workers"},
       {"a case of no step", {"reference", "--case", "x"}, "--case"},
       {"no step to run", {"run"}, "which step"},
@@ -45,4 +56,97 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
     CHECK(std::count(finished.output.begin(), finished.output.end(), '\n') == 1);
     CHECK(!std::filesystem::exists(out));
   }
+}
+
+namespace {
+
+/// A submission of step 00, spoilt.
+void write_hello(const std::filesystem::path& submission,
+                 const std::function<void(const std::filesystem::path&)>& spoil) {
+  std::filesystem::create_directory(submission);
+  std::filesystem::copy(folders().solutions() / "00-hello", submission / "00-hello");
+  std::filesystem::remove(submission / "00-hello/hello.glsl");
+  spoil(submission / "00-hello/hello.glsl");
+}
+
+}  // namespace
+
+TEST_CASE("a file that is not taken is told of by its reason, once a step", "[bad-input]") {
+  const std::filesystem::path solution = folders().solutions() / "00-hello/hello.glsl";
+  struct Row {
+    const char* name;
+    std::function<void(const std::filesystem::path&)> spoil;
+    std::string reason;
+  };
+  const Row rows[] = {
+      {"missing", [](const auto&) {}, "hello.glsl is missing"},
+      {"link", [&](const auto& file) { std::filesystem::create_symlink(solution, file); },
+       "hello.glsl is a symbolic link, which is not followed"},
+      {"large", [](const auto& file) { write_file(file, std::string(1'000'001, ' ')); },
+       "hello.glsl is larger than the limit of 1000000 bytes"},
+      {"fifo", [](const auto& file) { REQUIRE(::mkfifo(file.c_str(), 0600) == 0); },
+       "hello.glsl is a FIFO, not a regular file"},
+  };
+  for (const Row& row : rows) {
+    const TemporaryFolder folder;
+    write_hello(folder.path() / "ada", row.spoil);
+    const std::filesystem::path out = folder.path() / "out";
+    const Finished finished = run_atelier({"grade", (folder.path() / "ada").string(), "--out", out.string()});
+    INFO(row.name << ": " << finished.output);
+    REQUIRE(finished.exit_status == 0);
+    const auto results = nlohmann::json::parse(read_file(out / "results.json"));
+    REQUIRE(results["steps"].size() == 1);
+    CHECK(results["steps"][0]["build_log"] == "");
+    CHECK(results["notes"].size() == (row.name == std::string("missing") ? 0 : 1));
+    for (const auto& c : results["steps"][0]["cases"]) {
+      CHECK(c["status"] == "missing");
+      CHECK(c["reason"].get<std::string>().starts_with(row.reason));
+    }
+    CHECK(!mentions(finished.output, {"the compiler said"}));
+    CHECK(mentions(finished.output, {fmt::format(" {} cases  missing", results["steps"][0]["cases"].size())}));
+    for (const char* report : {"report.html", "junit.xml"}) CHECK(mentions(read_file(out / report), {row.reason}));
+  }
+}
+
+TEST_CASE("what a student's code throws costs the case that throws it", "[bad-input]") {
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "ada/01-transforms/transforms.cpp";
+  std::filesystem::create_directory(folder.path() / "ada");
+  std::filesystem::copy(folders().solutions() / "01-transforms", file.parent_path());
+  std::string code = read_file(file);
+  const auto throw_in = [&](const std::string& function, const std::string& what) {
+    const std::size_t begin = code.find(function + "(");
+    REQUIRE(begin != std::string::npos);
+    code.insert(code.find("{\n", begin) + 2, "  if (true) throw " + what + ";\n");
+  };
+  throw_in("mat4 orthographic", "42");
+  throw_in("mat3 normal_matrix", "std::out_of_range(\"no such row\")");
+  write_file(file, "#include <stdexcept>\n" + code);
+  const auto results = graded(folder.path() / "ada");
+  INFO(results["steps"][0]["build_log"].get<std::string>());
+  int passed = 0;
+  for (const auto& c : results["steps"][0]["cases"]) {
+    INFO(c["name"].get<std::string>() << ": " << c["reason"].get<std::string>());
+    if (c["name"] == "orthographic") CHECK(c["reason"] == "int was thrown: 42");
+    if (c["name"] == "normal-matrix") CHECK(c["reason"] == "std::out_of_range was thrown: no such row");
+    if (c["name"] == "orthographic" || c["name"] == "normal-matrix") CHECK(c["status"] == "crashed");
+    passed += c["status"] == "passed";
+  }
+  CHECK(passed > 10);
+}
+
+TEST_CASE("progress goes to stderr, and leaves the JSON on stdout as it is", "[bad-input]") {
+  const TemporaryFolder folder;
+  const std::string program = (folders().build / "bin/atelier").string(), out = folder.path().string();
+  const auto shell = [&](const std::string& streams) {
+    return run_process(
+        {.arguments = {"sh", "-c", "exec \"$0\" grade solutions --step 00 --json --out \"$1\" " + streams, program,
+                       out},
+         .folder = folders().root});
+  };
+  const auto json = nlohmann::json::parse(shell("2>/dev/null").output);
+  CHECK(json["score"] == json["max_score"]);
+  const std::string progress = shell("2>&1 >/dev/null").output;
+  CHECK(mentions(progress, {"00-hello: ", "cases passed (step 1 of 1)\n"}));
+  CHECK(std::count(progress.begin(), progress.end(), '\n') == 1);
 }
