@@ -7,13 +7,13 @@
 #include <cmath>
 #include <functional>
 #include <glm/glm.hpp>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "image/colour.hpp"
 #include "image/compare.hpp"
 #include "judge/measure.hpp"
+#include "judge/sentences.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -237,19 +237,8 @@ double median_ratio(const Image& yours, const Image& reference) {
 
 /// " (that is pi)" for a factor that has a name, to half a percent.
 std::string name_of_factor(double gain) {
-  using std::numbers::pi;
-  constexpr std::array<std::pair<double, const char*>, 9> known{{{pi, "pi"},
-                                                                 {1 / pi, "1/pi"},
-                                                                 {2 * pi, "2 pi"},
-                                                                 {1 / (2 * pi), "1/(2 pi)"},
-                                                                 {4 * pi, "4 pi"},
-                                                                 {1 / (4 * pi), "1/(4 pi)"},
-                                                                 {2, "2"},
-                                                                 {0.5, "1/2"},
-                                                                 {1 / 3.0, "1/3"}}};
-  for (const auto& [factor, name] : known)
-    if (std::abs(gain / factor - 1) < 0.005) return fmt::format(" (that is {})", name);
-  return "";
+  const std::string name = factor_name(gain, 0.005);
+  return name.empty() ? "" : fmt::format(" (that is {})", name);
 }
 
 /// A constant factor on the light, or on the data.

@@ -17,7 +17,7 @@ struct Hypothesis {
   std::string name;      ///< "flipped-y", "shifted", "swapped-channels", "encoded-twice", "gain" ...
   std::string sentence;  ///< what was seen, for a student
   std::string hint;      ///< where to look first
-  int over = 0;          ///< pixels that still fail when the operation is undone
+  int over = 0;          ///< of a picture: pixels that still fail when the operation is undone
 };
 
 /// A failing picture and its reference, of the same size and finite: as they came, and as they were compared.

@@ -73,8 +73,8 @@ std::vector<Numbers> expected_values(const JudgedCase& c, const Answer& solution
   const ProbeMeasurement measured = measure_probe(*solution.values, c.expected, c);
   if (!measured.malformed.empty()) refuse(c, "the solution's " + measured.malformed);
   if (!measured.passed)
-    refuse(c, fmt::format("at input {} the solution answers {}, and the case file expects {}", measured.worst_input,
-                          measured.worst_yours, measured.worst_expected));
+    refuse(c, fmt::format("at input {} the solution answers {}, and the case file expects {}", measured.worst.input,
+                          measured.worst.yours, measured.worst.expected));
   return c.expected;
 }
 

@@ -22,6 +22,10 @@ std::int64_t float_rank(double value) {
   return bits >= 0 ? bits : -std::int64_t(bits & 0x7fffffff);
 }
 
+double unsigned_zero(double x) {
+  return x == 0 ? 0 : x;
+}
+
 /// The worst times_tolerance among the components of one input; infinity where the counts differ.
 double worst_of(const Numbers& yours, const Numbers& expected, const Tolerance& tolerance) {
   if (yours.size() != expected.size()) return infinity;
@@ -71,13 +75,12 @@ ProbeMeasurement measure_probe(const std::vector<Numbers>& yours, const std::vec
       const double times = times_tolerance(yours[i][k], expected[i][k], c.tolerance);
       if (times <= 1 && times <= measured.worst_times) continue;
       wrong = wrong || times > 1;
+      const ProbeNumber here{i, k, yours[i][k], expected[i][k]};
+      if (times > 1 && !measured.first_wrong) measured.first_wrong = here;
       non_finite = non_finite || (std::isfinite(expected[i][k]) && !std::isfinite(yours[i][k]));
       if (times <= measured.worst_times) continue;
       measured.worst_times = times;
-      measured.worst_input = i;
-      measured.worst_component = k;
-      measured.worst_yours = yours[i][k];
-      measured.worst_expected = expected[i][k];
+      measured.worst = here;
     }
     measured.wrong += wrong;
     measured.non_finite += non_finite;
@@ -86,14 +89,48 @@ ProbeMeasurement measure_probe(const std::vector<Numbers>& yours, const std::vec
   return measured;
 }
 
+int matrix_side(const std::vector<Numbers>& expected) {
+  const auto every = [&](auto matches) {
+    return !expected.empty() && std::all_of(expected.begin(), expected.end(), matches);
+  };
+  const auto affine = [](const Numbers& numbers) {
+    for (std::size_t k = 3; k < numbers.size(); k += 4)
+      if (numbers[k] != (k % 16 == 15 ? 1 : 0)) return false;
+    return !numbers.empty() && numbers.size() % 16 == 0;
+  };
+  if (every([](const Numbers& numbers) { return numbers.size() == 16; }) || every(affine)) return 4;
+  return every([](const Numbers& numbers) { return numbers.size() == 9; }) ? 3 : 0;
+}
+
+std::string place_of_number(int component, int count, int side) {
+  if (count == 1) return "";
+  if (side == 0) return fmt::format("number {} of {}", component + 1, count);
+  const int size = side * side, column = component % size / side, row = component % side;
+  const std::string matrix =
+      count > size ? fmt::format(" of matrix {} of {}", component / size + 1, count / size) : std::string();
+  return fmt::format("row {}, column {} (m[{}][{}]){}", row + 1, column + 1, column, row, matrix);
+}
+
 std::string show_numbers(const Numbers& numbers) {
-  if (numbers.size() == 1) return fmt::format("{:.7g}", numbers[0]);
-  if (numbers.size() != 16) return fmt::format("({:.7g})", fmt::join(numbers, ", "));
-  std::string rows;
-  for (int row = 0; row < 4; ++row)
-    rows += fmt::format("{}[{:>13.7g} {:>13.7g} {:>13.7g} {:>13.7g} ]", row ? "\n" : "", numbers[row], numbers[row + 4],
-                        numbers[row + 8], numbers[row + 12]);
-  return rows;
+  if (numbers.size() == 1) return fmt::format("{:.7g}", unsigned_zero(numbers[0]));
+  Numbers shown = numbers;
+  for (double& x : shown) x = unsigned_zero(x);
+  return fmt::format("({:.7g})", fmt::join(shown, ", "));
+}
+
+std::string show_matrices(const Numbers& columns, int side, double noise) {
+  const std::size_t rows = std::size_t(side), size = rows * rows;
+  std::string text;
+  for (std::size_t first = 0; first + size <= columns.size(); first += size)
+    for (std::size_t row = 0; row < rows; ++row) {
+      text += text.empty() ? "[" : row == 0 ? "\n\n[" : "\n[";
+      for (std::size_t column = 0; column < rows; ++column) {
+        const double x = columns[first + column * rows + row];
+        text += fmt::format("{:>13.7g} ", std::abs(x) < noise ? 0 : unsigned_zero(x));
+      }
+      text += "]";
+    }
+  return text;
 }
 
 std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected, const JudgedCase& c,
@@ -106,10 +143,12 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
 
   // A list on the label's line, a matrix below it.
-  const auto line = [](const std::string& label, const Numbers& numbers) {
-    const bool matrix = numbers.size() == 16;
-    return fmt::format("  {:<9}{}{}\n", label, matrix ? "\n" : " ", show_numbers(numbers));
+  const auto line = [](const std::string& label, const Numbers& numbers, int side, double noise) {
+    return fmt::format("  {:<9}{}{}\n", label, side > 0 ? "\n" : " ",
+                       side > 0 ? show_matrices(numbers, side, noise) : show_numbers(numbers));
   };
+  const int side = matrix_side(expected);
+  const double noise = c.tolerance.absolute;
   std::string text;
   for (std::size_t i : order) {
     if (rows-- == 0) {
@@ -122,9 +161,9 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
                         : times[i] <= 1        ? fmt::format("right, at {:.2g} of the tolerance", times[i])
                         : std::isinf(times[i]) ? std::string("wrong")
                                                : fmt::format("wrong, {:.3g} times the tolerance", times[i]));
-    for (const auto& [name, numbers] : c.ask.inputs[i].values) text += line(name, numbers);
-    text += line("expected", expected[i]);
-    if (times[i] > 0) text += line("yours", yours[i]);
+    for (const auto& [name, numbers] : c.ask.inputs[i].values) text += line(name, numbers, matrix_side({numbers}), 0);
+    text += line("expected", expected[i], side, noise);
+    if (times[i] > 0) text += line("yours", yours[i], side, noise);
   }
   return text;
 }

@@ -43,7 +43,7 @@ struct CaseResult {
 
   std::string asked;                      ///< what the case asks for, in one sentence
   std::string reason;                     ///< what was seen, in one sentence; for a pass, the margin
-  std::optional<std::string> hypothesis;  ///< the whole-picture operation that explains it: "flipped-y", "gain" ...
+  std::optional<std::string> hypothesis;  ///< one operation on all of it that explains it: "flipped-y", "transposed" ...
   std::optional<std::string> mistake;     ///< the name of the known mistake that the answer looks like
   std::optional<std::string> mistake_sentence;  ///< what a student reads about it
   std::string hint;                             ///< what to try next

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <numbers>
+#include <utility>
 
 namespace atelier::judge {
 namespace {
@@ -198,6 +200,24 @@ std::string describe_pass(const Measurement& measured, const JudgedCase& c) {
   if (found.over == 0) return fmt::format("No pixel is off by more than {} ({} is allowed).", largest, delta);
   return fmt::format("{} of {} pixels are off by more than {} ({} may be).", grouped(found.over),
                      grouped(measured.pixels), delta, grouped(effective_budget(c, measured.pixels)));
+}
+
+std::string factor_name(double factor, double within) {
+  using std::numbers::pi;
+  constexpr std::array<std::pair<double, const char*>, 11> known{{{pi, "pi"},
+                                                                  {1 / pi, "1/pi"},
+                                                                  {2 * pi, "2 pi"},
+                                                                  {1 / (2 * pi), "1/(2 pi)"},
+                                                                  {4 * pi, "4 pi"},
+                                                                  {1 / (4 * pi), "1/(4 pi)"},
+                                                                  {180 / pi, "180/pi"},
+                                                                  {pi / 180, "pi/180"},
+                                                                  {2, "2"},
+                                                                  {0.5, "1/2"},
+                                                                  {1 / 3.0, "1/3"}}};
+  for (const auto& [value, name] : known)
+    if (std::abs(factor / value - 1) < within) return name;
+  return "";
 }
 
 std::string colour_name(const Rgba& encoded) {

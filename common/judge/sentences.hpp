@@ -29,6 +29,10 @@ std::string describe_pass(const Measurement& measured, const JudgedCase& c);
 /// "3/255", "2 degrees", "0.001" in the unit of a case.
 std::string amount(double value, Unit unit);
 
+/// "pi", "1/2", "180/pi" ... for a factor that somebody may have forgotten, where it is so to `within` of its size; or
+/// empty.
+std::string factor_name(double factor, double within);
+
 /// "black", "white", "grey", "mid red" ...: a name for one encoded colour.
 std::string colour_name(const Rgba& encoded);
 

@@ -16,6 +16,7 @@
 #include "judge/naming.hpp"
 #include "judge/probe.hpp"
 #include "judge/sentences.hpp"
+#include "judge/value_hypotheses.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -95,6 +96,13 @@ void name_mistake(CaseResult& result, const std::string& name, const StepReferen
   if (!known) return;
   result.mistake_sentence = known->sentence;
   if (!known->hint.empty()) result.hint = known->hint;
+}
+
+/// Puts a hypothesis in front of what was seen.
+void say_hypothesis(CaseResult& result, const Hypothesis& whole) {
+  result.hypothesis = whole.name;
+  result.reason = whole.sentence + " " + result.reason;
+  result.hint = whole.hint;
 }
 
 // --- Pictures ---
@@ -180,11 +188,7 @@ void explain_picture(CaseResult& result, const Match& match, const JudgedCase& c
   result.reason = describe_failure(measured, match.yours, match.reference, c);
   const auto whole = explain_whole_picture(
       {yours_raw, *match.reference_raw, match.yours, match.reference, c, measured.difference.mask});
-  if (whole) {
-    result.hypothesis = whole->name;
-    result.reason = whole->sentence + " " + result.reason;
-    result.hint = whole->hint;
-  }
+  if (whole) say_hypothesis(result, *whole);
   name_picture(result, match, c, references, mistake_picture);
 
   Shortfall shortfall;
@@ -255,7 +259,16 @@ CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& a
 
 // --- Probes ---
 
-std::string describe_probe(const ProbeMeasurement& measured, const JudgedCase& c) {
+/// "at input 2: row 1, column 4 (m[3][0]) is 0 in place of 5"
+std::string number_words(const ProbeNumber& number, const std::vector<Numbers>& expected) {
+  const auto count = int(expected[std::size_t(number.input)].size());
+  const std::string place = place_of_number(number.component, count, matrix_side(expected));
+  return fmt::format("at input {}: {} is {} in place of {}", number.input, place.empty() ? "the result" : place,
+                     show_numbers({number.yours}), show_numbers({number.expected}));
+}
+
+std::string describe_probe(const ProbeMeasurement& measured, const std::vector<Numbers>& expected,
+                           const JudgedCase& c) {
   const std::string& name = c.ask.probe;
   if (!measured.malformed.empty()) return fmt::format("{}: {}.", name, measured.malformed);
   const std::string inputs = measured.inputs == 1 ? "the one input" : fmt::format("all {} inputs", measured.inputs);
@@ -265,9 +278,11 @@ std::string describe_probe(const ProbeMeasurement& measured, const JudgedCase& c
                                                    inputs, measured.worst_times);
   const std::string wrong =
       measured.wrong == measured.inputs ? inputs : fmt::format("{} of {} inputs", measured.wrong, measured.inputs);
-  std::string text =
-      fmt::format("{} is wrong for {}, most at input {}: component {} is {:.6g} in place of {:.6g}.", name, wrong,
-                  measured.worst_input, measured.worst_component, measured.worst_yours, measured.worst_expected);
+  const ProbeNumber &first = measured.first_wrong.value(), &worst = measured.worst;
+  std::string text = fmt::format("{} is wrong for {}. First {}", name, wrong, number_words(first, expected));
+  if (first.input != worst.input || first.component != worst.component)
+    text += fmt::format("; farthest off {}", number_words(worst, expected));
+  text += '.';
   if (measured.non_finite > 0) text += fmt::format(" For {} of them NaN or infinity comes back.", measured.non_finite);
   return text;
 }
@@ -284,11 +299,13 @@ CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& ans
   result.figures["wrong"] = measured.wrong;
   if (std::isfinite(measured.worst_times)) result.figures["largest"] = measured.worst_times;
   result.table = probe_table(*answer.values, right.values, c);
-  result.reason = describe_probe(measured, c);
+  result.reason = describe_probe(measured, right.values, c);
   if (measured.passed) {
     pass(result);
     return result;
   }
+  if (measured.malformed.empty())
+    if (const auto whole = explain_values(*answer.values, right.values, c)) say_hypothesis(result, *whole);
   if (const auto name = recognise_values(*answer.values, references.atlas(c).values, c))
     name_mistake(result, *name, references);
   if (measured.malformed.empty())

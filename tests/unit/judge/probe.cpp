@@ -92,8 +92,12 @@ TEST_CASE("probes: every input within the tolerance passes; one that is not fail
        {{1, 1}, {2, 4}, {3, 9.5}, {4, 16}},
        Status::failed,
        4 * 0.7,
-       {"1 of 4 inputs", "input 2", "component 1", "9.5 in place of 9"}},
-      {"two wrong", {{0, 1}, {2, 4}, {3, 9.5}, {4, 16}}, Status::failed, 2, {"2 of 4 inputs", "input 0"}},
+       {"1 of 4 inputs", "First at input 2: number 2 of 2 is 9.5 in place of 9."}},
+      {"three wrong",
+       {{0, 1}, {2, 4}, {3, 9.5}, {4, 19}},
+       Status::failed,
+       4 * 0.25,
+       {"3 of 4 inputs", "First at input 0: number 1 of 2", "farthest off at input 3: number 2 of 2 is 19"}},
       {"all wrong", {{0, 0}, {0, 0}, {0, 0}, {0, 0}}, Status::failed, 0, {"all 4 inputs"}},
       {"a NaN", {{1, 1}, {2, nan}, {3, 9}, {4, 16}}, Status::failed, 4 * 0.7, {"input 1", "NaN or infinity"}},
       {"too few results", {{1, 1}}, Status::failed, 0, {"1 results", "4 inputs"}},
@@ -124,14 +128,78 @@ TEST_CASE("probes: the table shows the worst input first") {
   CHECK(mentions(probe_table(c.expected, c.expected, c), {"input 0: equal", "input 3: equal"}));
 }
 
-TEST_CASE("sixteen numbers are shown as the rows of a matrix") {
-  Numbers columns(16);
-  for (int i = 0; i < 16; ++i) columns[std::size_t(i)] = i;
-  const std::string shown = show_numbers(columns);
-  const std::string first_row = shown.substr(0, shown.find('\n'));
-  CHECK(mentions(first_row, {" 0 ", " 4 ", " 8 ", " 12 "}));
+Numbers counting(std::size_t count) {
+  Numbers numbers(count);
+  for (std::size_t k = 0; k < count; ++k) numbers[k] = double(k);
+  return numbers;
+}
+
+Numbers identity() {
+  return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+}
+
+TEST_CASE("numbers are a matrix where every input is answered by one") {
+  Numbers two = identity();
+  two.insert(two.end(), 16, 0);
+  two.back() = 1;
+  struct Row {
+    const char* name;
+    std::vector<Numbers> expected;
+    int side;
+  };
+  const Row rows[]{
+      {"sixteen", {counting(16), identity()}, 4},
+      {"nine", {counting(9)}, 3},
+      {"several, all affine", {two, identity()}, 4},
+      {"thirty-two numbers that are no matrices", {counting(32)}, 0},
+      {"sixteen and others", {counting(8), counting(16), counting(20)}, 0},
+      {"a vector", {{1, 2, 3}}, 0},
+      {"no numbers", {{}}, 0},
+      {"no inputs", {}, 0},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    CHECK(matrix_side(row.expected) == row.side);
+  }
+}
+
+TEST_CASE("an entry is placed as the handouts and glm count") {
+  CHECK(place_of_number(12, 16, 4) == "row 1, column 4 (m[3][0])");
+  CHECK(place_of_number(3, 16, 4) == "row 4, column 1 (m[0][3])");
+  CHECK(place_of_number(5, 9, 3) == "row 3, column 2 (m[1][2])");
+  CHECK(place_of_number(16, 48, 4) == "row 1, column 1 (m[0][0]) of matrix 2 of 3");
+  CHECK(place_of_number(1, 3, 0) == "number 2 of 3");
+  CHECK(place_of_number(0, 1, 0).empty());
+}
+
+TEST_CASE("a matrix is shown by its rows, without signed zeros and without noise") {
+  const std::string shown = show_matrices(counting(16), 4);
+  CHECK(mentions(shown.substr(0, shown.find('\n')), {" 0 ", " 4 ", " 8 ", " 12 "}));
+  CHECK(std::count(shown.begin(), shown.end(), '\n') == 3);
+  CHECK(std::count(shown.begin(), shown.end(), '[') == 4);
+  const Numbers noisy{1, -0.0, 3e-8, -3e-8, 1e-6, 1, 0, 0, 1};
+  CHECK(show_matrices(noisy, 3, 1e-6) ==
+        "[            1             0             0 ]\n"
+        "[            0         1e-06             0 ]\n"
+        "[            0             1             1 ]");
+  CHECK(mentions(show_matrices(noisy, 3), {"-3e-08"}));
   CHECK(show_numbers({1.5}) == "1.5");
-  CHECK(show_numbers({0, 1.5, -2}) == "(0, 1.5, -2)");
+  CHECK(show_numbers({-0.0}) == "0");
+  CHECK(show_numbers({-0.0, 1.5, -2}) == "(0, 1.5, -2)");
+}
+
+TEST_CASE("the table shows what is a matrix as one") {
+  JudgedCase c;
+  c.profile = Profile::values;
+  c.tolerance = {1e-6, 0, 0, "a few roundings"};
+  c.ask.inputs.resize(1);
+  c.ask.inputs[0].values["model"] = identity();
+  Numbers yours = identity();
+  yours[12] = 5;
+  yours[1] = -1e-9;
+  const std::string table = probe_table({yours}, {identity()}, c);
+  CHECK(mentions(table, {"model", "[            1             0             0             5 ]"}));
+  CHECK(table.find("-1e-09") == std::string::npos);
 }
 
 }  // namespace
