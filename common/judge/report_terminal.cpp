@@ -123,17 +123,18 @@ std::string group_score(const CaseGroup& group) {
 }
 
 std::string reason_words(const CaseResult& result) {
-  const bool said = result.status == Status::passed || result.status == Status::failed;
   const std::string reason = printable(result.reason);
-  return said ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
+  return result.status == Status::failed ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
 }
 
+/// A pass needs no words beside its name.
 std::string group_line(const StepResult& step, const CaseGroup& group, int name_width, int score_width,
                        const TerminalStyle& style) {
   const CaseResult& first = *group.front();
   const int left = std::max(20, style.width - name_width - score_width - 8);
-  return fmt::format("  {} {}  {:>{}}  {}\n", mark(first.status, style), group_name(step, group, name_width, style),
-                     group_score(group), score_width, fitted(reason_words(first), left));
+  const std::string reason = first.status == Status::passed ? "" : "  " + fitted(reason_words(first), left);
+  return fmt::format("  {} {}  {:>{}}{}\n", mark(first.status, style), group_name(step, group, name_width, style),
+                     group_score(group), score_width, reason);
 }
 
 std::string step_table(const StepResult& step, const TerminalStyle& style) {

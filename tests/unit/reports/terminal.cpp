@@ -49,6 +49,7 @@ TEST_CASE("the table has a line a case, within the width") {
     const std::vector<std::string> lines = lines_of(terminal_report(test::sample().steps[1], style));
     INFO(width);
     CHECK(lines[3].starts_with("  + diffuse"));
+    CHECK(lines[3].ends_with(" 2/2"));  // a pass has no reason
     CHECK(lines[4].starts_with("  x highlight"));
     CHECK(test::mentions(lines[4], {"0.45/2"}));
     CHECK(test::mentions(lines[6], {"x spot", "0/1", "missing"}));
