@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "app/record.hpp"
 #include "base/error.hpp"
 
 namespace atelier {
@@ -26,10 +27,21 @@ glm::dvec3 parse_vector(const std::string& option, const std::string& text) {
   return v;
 }
 
-std::pair<std::string, std::string> parse_setting(const std::string& text) {
+using Setting = std::pair<std::string, std::string>;
+
+Setting parse_setting(const std::string& text, const std::vector<Setting>& earlier) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) throw Error("--set " + text + ": write NAME=VALUE");
-  return {text.substr(0, equals), text.substr(equals + 1)};
+  const Setting setting{text.substr(0, equals), text.substr(equals + 1)};
+  for (const auto& [name, value] : earlier)
+    if (name == setting.first) throw Error("--set " + text + ": " + name + " is set to " + value + " already");
+  return setting;
+}
+
+Implementations parse_implementations(const std::string& text) {
+  Implementations implementations = Implementations::parse(text);
+  if (implementations.roots().empty()) throw Error("--implementations " + text + ": it names no folder");
+  return implementations;
 }
 
 }  // namespace
@@ -41,30 +53,49 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   std::vector<std::string> settings;
 
   CLI::App app{"Step " + step + " of Atelier. Without --out, --record, --cases or --list it opens a window."};
-  app.add_flag("--list", line.list, "Print scenes, settings, outputs and probes")->group("What to do");
-  app.add_option("--out", line.out, "Draw one picture into this file (.png .exr .bmp); with --cases: a folder")
-      ->group("What to do");
-  app.add_option("--record", line.record, "Draw a turn round the scene: .gif, or numbered .png / .bmp files")
-      ->group("What to do");
-  app.add_option("--frames", line.frames, "Pictures of a recording")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str()
-      ->group("What to do");
-  app.add_option("--cases", line.cases, "Answer every case in this file; what the judge calls")->group("What to do");
-  app.add_option("--scene", line.picture.scene, "A built-in scene, or a .gltf, .glb or .obj file")
-      ->group("What to draw");
-  app.add_option("--size", size, "WIDTHxHEIGHT in pixels")->group("What to draw");
-  app.add_option("--set", settings, "NAME=VALUE, any number of times")->group("What to draw")->take_all();
-  app.add_option("--output", line.picture.output, "colour, or an intermediate")->group("What to draw");
-  app.add_option("--eye", eye, "X,Y,Z where the camera stands")->group("What to draw");
-  app.add_option("--target", target, "X,Y,Z where it looks")->group("What to draw");
-  app.add_option("--context", context, "osmesa, egl or window")->group("How");
-  app.add_option("--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins")
-      ->group("How");
-  app.add_flag("--stats", line.stats, "Print what the drawing has cost")->group("How");
-  app.add_flag("--json", line.json, "Print for programs")->group("How");
-  app.add_option("--progress", line.progress, "A descriptor to tell the judge which case is being answered")
-      ->group("How");
+  const auto option = [&](const char* group, const char* name, auto& value, const char* help) {
+    const auto something = [](const std::string& text) { return text.empty() ? "no value is given" : ""; };
+    return app.add_option(name, value, help)->group(group)->check(CLI::Validator(something, ""));
+  };
+  const char *const what = "What to do", *const picture = "What to draw", *const how = "How";
+  CLI::Option* const list =
+      app.add_flag("--list", line.list, "Print scenes, settings, outputs and probes")->group(what);
+  CLI::Option* const out =
+      option(what, "--out", line.out, "Draw one picture into this file (.png .exr .bmp .gif); with --cases: a folder");
+  CLI::Option* const record =
+      option(what, "--record", line.record, "Draw a turn round the scene: .gif, or numbered .png / .bmp / .exr files");
+  CLI::Option* const frames = option(what, "--frames", line.frames, "Pictures of a recording")
+                                  ->check(CLI::Range(1, 10000))
+                                  ->capture_default_str();
+  CLI::Option* const cases =
+      option(what, "--cases", line.cases, "Answer every case in this file; what the judge calls");
+  const std::vector<CLI::Option*> of_a_picture = {
+      option(picture, "--scene", line.picture.scene, "A built-in scene, or a .gltf, .glb or .obj file"),
+      option(picture, "--size", size, "WIDTHxHEIGHT in pixels"),
+      option(picture, "--set", settings, "NAME=VALUE, any number of times")->take_all(),
+      option(picture, "--output", line.picture.output, "colour, or an intermediate"),
+      option(picture, "--eye", eye, "X,Y,Z where the camera stands"),
+      option(picture, "--target", target, "X,Y,Z where it looks"),
+  };
+  CLI::Option* const kind = option(how, "--context", context, "osmesa, egl or window");
+  option(how, "--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins");
+  CLI::Option* const stats = app.add_flag("--stats", line.stats, "Print what the drawing has cost")->group(how);
+  CLI::Option* const json = app.add_flag("--json", line.json, "Print for programs")->group(how);
+  CLI::Option* const progress =
+      option(how, "--progress", line.progress, "A descriptor to tell the judge which case is being answered");
+
+  // What would change nothing is refused rather than passed over.
+  frames->needs(record);
+  json->needs(list);
+  progress->needs(cases);
+  cases->needs(out);
+  record->excludes(out);
+  for (CLI::Option* other : {out, record, cases, kind, stats}) list->excludes(other);
+  for (CLI::Option* other : {record, stats}) cases->excludes(other);
+  for (CLI::Option* other : of_a_picture) {
+    list->excludes(other);
+    cases->excludes(other);
+  }
 
   try {
     app.parse(count, arguments);
@@ -82,9 +113,13 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   if (!eye.empty()) line.picture.camera.eye = parse_vector("--eye", eye);
   if (!target.empty()) line.picture.camera.target = parse_vector("--target", target);
   if (!context.empty()) line.context = parse_context_kind(context);
-  if (!implementations.empty()) line.implementations = Implementations::parse(implementations);
-  for (const std::string& text : settings) line.settings.push_back(parse_setting(text));
-  if (!line.cases.empty() && line.out.empty()) throw Error("--cases needs --out DIR");
+  if (!implementations.empty()) line.implementations = parse_implementations(implementations);
+  for (const std::string& text : settings) line.settings.push_back(parse_setting(text, line.settings));
+  if (line.stats && line.out.empty() && line.record.empty())
+    throw Error("--stats: a window shows what drawing costs; add --out FILE or --record FILE");
+  if (line.picture.camera.eye && line.picture.camera.eye == line.picture.camera.target)
+    throw Error("--eye and --target are both " + eye + ": the camera needs somewhere to look");
+  if (!line.record.empty()) check_recording(line.record);
   return line;
 }
 

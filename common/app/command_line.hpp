@@ -20,14 +20,14 @@ struct CommandLine {
   Case picture;                                               ///< --scene --size --set --output, as for a case
   std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE, still as text
   std::filesystem::path out;                                  ///< --out: a picture file; with --cases: a folder
-  std::filesystem::path record;  ///< --record: .gif, or a .png / .bmp whose frames are numbered
+  std::filesystem::path record;  ///< --record: .gif, or a .png, .bmp or .exr whose frames are numbered
   int frames = 48;
 
   std::filesystem::path cases;  ///< --cases: what the judge calls
   std::optional<int> progress;  ///< --progress: a descriptor for "begin NAME" and "end NAME"
 };
 
-/// Throws Error with what is wrong; on --help prints and returns nothing.
+/// Throws Error with what is wrong, also where an option would change nothing; on --help prints and returns nothing.
 std::optional<CommandLine> parse_command_line(int count, char** arguments, const std::string& step);
 
 }  // namespace atelier

@@ -4,6 +4,8 @@
 
 #include <glm/gtc/constants.hpp>
 
+#include "base/error.hpp"
+#include "image_io/extension.hpp"
 #include "image_io/image_io.hpp"
 
 namespace atelier {
@@ -21,10 +23,20 @@ glm::dvec3 turned(const Camera& camera, double angle) {
 
 }  // namespace
 
-void record_turn(Painter& painter, const Camera& start, const Case& picture, const std::filesystem::path& file,
-                 int frames) {
+void check_recording(const std::filesystem::path& file) {
+  const std::string extension = image_io::lower_extension(file);
+  for (const char* allowed : {".gif", ".png", ".bmp", ".exr"})
+    if (extension == allowed) return;
+  throw Error(
+      fmt::format("--record {}: its name must end in .gif, or for numbered pictures in .png, .bmp or .exr, not in '{}'",
+                  file.string(), extension));
+}
+
+void record_turn(Painter& painter, const Camera& start, const Case& picture, Encoding encoding,
+                 const std::filesystem::path& file, int frames) {
+  check_recording(file);
   std::vector<Image> pictures;
-  const bool animation = file.extension() == ".gif";
+  const bool animation = image_io::lower_extension(file) == ".gif";
   for (int i = 0; i < frames; ++i) {
     Case frame = picture;
     frame.camera.eye = turned(start, glm::two_pi<double>() * i / frames);
@@ -34,10 +46,10 @@ void record_turn(Painter& painter, const Camera& start, const Case& picture, con
     } else {
       auto numbered = file;
       numbered.replace_filename(fmt::format("{}-{:04}{}", file.stem().string(), i, file.extension().string()));
-      write_image(numbered, image);
+      write_image(numbered, image, {.encoding = encoding});
     }
   }
-  if (animation) write_animation(file, pictures, 1 / frames_a_second);
+  if (animation) write_animation(file, pictures, 1 / frames_a_second, encoding);
 }
 
 }  // namespace atelier

@@ -30,6 +30,13 @@ Encoding encoding_of(const StepDescription& description, const std::string& outp
   return Encoding::linear;
 }
 
+/// Where only one of eye and target was given, it may be the scene's other.
+void check_camera(const CaseCamera& given, const Camera& camera) {
+  if ((given.eye || given.target) && camera.eye == camera.target)
+    throw Error(fmt::format("--{} is where the scene's camera {}: the camera needs somewhere to look",
+                            given.eye ? "eye" : "target", given.eye ? "looks" : "stands"));
+}
+
 /// Everything that needs pictures but no window.
 int draw_headless(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
@@ -44,13 +51,14 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     checked.set(name, std::string_view(text));
     line.picture.settings[name] = checked.value(name);
   }
-  if (!line.record.empty()) {
-    painter.paint(line.picture);  // loads the scene, whose camera the turn starts from
-    record_turn(painter, apply(line.picture.camera, program->camera()), line.picture, line.record, line.frames);
-  } else {
-    const Image image = painter.paint(line.picture);
-    write_image(line.out, image, {.encoding = encoding_of(program->description(), line.picture.output)});
-  }
+  const Encoding encoding = encoding_of(program->description(), line.picture.output);
+  const Image image = painter.paint(line.picture);  // loads the scene, whose camera is the one that is changed
+  const Camera camera = apply(line.picture.camera, program->camera());
+  check_camera(line.picture.camera, camera);
+  if (line.record.empty())
+    write_image(line.out, image, {.encoding = encoding});
+  else
+    record_turn(painter, camera, line.picture, encoding, line.record, line.frames);
   if (line.stats) print_counts(painter.gl().counts);
   return exit_ok;
 }

@@ -81,7 +81,6 @@ std::vector<std::string> to_arguments(const CommandLine& line) {
   for (const auto& [name, text] : line.settings) add("--set", name + "=" + text);
   if (line.context) add("--context", to_string(*line.context));
   if (line.implementations) add("--implementations", line.implementations->to_string());
-  if (line.stats) arguments.push_back("--stats");
   return arguments;
 }
 
