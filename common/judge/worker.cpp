@@ -1,101 +1,21 @@
 #include "judge/worker.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
-#if defined(__linux__)
-#include <sys/prctl.h>
-#endif
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <system_error>
+#include <utility>
 
-#include "base/error.hpp"
+#include "base/launch.hpp"
 
 namespace atelier::judge {
 namespace {
 
 constexpr std::size_t longest_line = 128;      ///< bytes; "begin " and a case's name are at most 70
 constexpr std::size_t read_at_once = 1 << 16;  ///< bytes: what a Linux pipe holds
-
-struct Pipe {
-  Descriptor read, write;
-};
-
-/// Both ends close-on-exec: no other child is to hold a worker's pipe open.
-Pipe make_pipe() {
-  int ends[2];
-  if (::pipe(ends) != 0) throw Error("no pipe can be made: " + std::generic_category().message(errno));
-  for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
-}
-
-std::vector<char*> pointers(std::vector<std::string>& texts) {
-  std::vector<char*> list;
-  for (std::string& text : texts) list.push_back(text.data());
-  list.push_back(nullptr);
-  return list;
-}
-
-/// What the child needs, made before the fork: afterwards, a child of a threaded program may not allocate.
-struct Launch {
-  std::vector<char*> arguments, environment;
-  int input, output, progress, report;  ///< descriptors; `report` gets errno where the start fails
-  pid_t parent;
-};
-
-/// Puts the program's descriptors where it looks for them, and marks all others to be closed by exec. First each is
-/// moved out of the way: the progress pipe may stand on the number that another one needs.
-bool arrange_descriptors(Launch& launch) {
-  constexpr int free_from = 16;
-  for (int* moved : {&launch.input, &launch.output, &launch.progress, &launch.report}) {
-    *moved = ::fcntl(*moved, F_DUPFD_CLOEXEC, free_from);
-    if (*moved < 0) return false;
-  }
-  if (::dup2(launch.input, 0) < 0 || ::dup2(launch.output, 1) < 0 || ::dup2(launch.output, 2) < 0 ||
-      ::dup2(launch.progress, progress_descriptor) < 0)
-    return false;
-  constexpr int first_other = progress_descriptor + 1;
-#if defined(CLOSE_RANGE_CLOEXEC)
-  if (::close_range(first_other, ~0u, CLOSE_RANGE_CLOEXEC) == 0) return true;
-#endif
-  const int end = static_cast<int>(std::min(::sysconf(_SC_OPEN_MAX), 65536L));
-  for (int number = first_other; number < end; ++number) ::fcntl(number, F_SETFD, FD_CLOEXEC);
-  return true;
-}
-
-/// The child, between fork and exec: only what POSIX calls async-signal-safe.
-[[noreturn]] void become(Launch& launch) {
-  ::setpgid(0, 0);
-#if defined(__linux__)
-  // A student's endless loop must not outlive a judge that was interrupted or killed.
-  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (::getppid() != launch.parent) ::_exit(127);
-#endif
-  for (int number = 1; number < NSIG; ++number)
-    if (number != SIGKILL && number != SIGSTOP) ::signal(number, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  ::sigprocmask(SIG_SETMASK, &none, nullptr);
-
-  if (arrange_descriptors(launch)) ::execve(launch.arguments[0], launch.arguments.data(), launch.environment.data());
-  const int reason = errno;
-  (void)!::write(launch.report, &reason, sizeof reason);
-  ::_exit(127);
-}
-
-/// The errno that a child reports in place of running the program; 0 once exec has closed the pipe.
-int start_error(const Descriptor& report) {
-  int reason = 0;
-  ssize_t got;
-  do got = ::read(report.get(), &reason, sizeof reason);
-  while (got < 0 && errno == EINTR);
-  return reason;
-}
 
 /// Appends what is in the pipe, at most read_at_once bytes; closes our end once the other side is closed.
 void drain(Descriptor& pipe, std::string& text) {
@@ -117,26 +37,12 @@ void drain(Descriptor& pipe, std::string& text) {
 }  // namespace
 
 Worker::Worker(std::vector<std::string> arguments, const std::map<std::string, std::string>& environment) {
-  if (arguments.empty()) throw Error("a worker needs the path of a program");
-  std::vector<std::string> variables;
-  for (const auto& [name, value] : environment) variables.push_back(name + "=" + value);
-
-  Pipe progress = make_pipe(), output = make_pipe(), report = make_pipe();
-  const Descriptor nothing(::open("/dev/null", O_RDONLY | O_CLOEXEC));
-  Launch launch{pointers(arguments),  pointers(variables), nothing.get(), output.write.get(),
-                progress.write.get(), report.write.get(),  ::getpid()};
-  child_ = ::fork();
-  if (child_ == 0) become(launch);
-  int reason = errno;
-  report.write.reset();
-  if (child_ > 0) {
-    ::setpgid(child_, child_);  // by both sides: whichever comes first, the group is there from here on
-    reason = start_error(report.read);
-    if (reason != 0) ::waitpid(child_, nullptr, 0);
-  }
-  if (reason != 0 || child_ < 0)
-    throw Error(fmt::format("{}: cannot be started: {}", arguments[0], std::generic_category().message(reason)));
-
+  Pipe progress = make_pipe(), output = make_pipe();
+  const int printed = output.write.get();
+  child_ = launch({.arguments = std::move(arguments),
+                   .folder = {},
+                   .environment = environment,
+                   .descriptors = {{printed, 1}, {printed, 2}, {progress.write.get(), progress_descriptor}}});
   progress_ = std::move(progress.read), output_ = std::move(output.read);
   for (const Descriptor* pipe : {&progress_, &output_}) ::fcntl(pipe->get(), F_SETFL, O_NONBLOCK);
 }
