@@ -17,9 +17,10 @@ Credit partial_credit(const Shortfall& shortfall) {
 
   Credit credit;
   credit.fraction = 1 - std::min(1.0, std::log10(1 + f / f0) / std::log10(1 + f1 / f0));
-  credit.explanation = fmt::format("{} of the pixels fail, which is worth {} (all points at none, none at {}{})",
-                                   percent(f), percent(credit.fraction), percent(f1),
-                                   f1 < shortfall.skeleton_share ? "" : ", what the untouched skeleton fails");
+  credit.explanation =
+      fmt::format("{} of the pixels fail{}, which is worth {} (all points at none, none at {}{})", percent(f),
+                  shortfall.weighted ? ", some counting more than others" : "", percent(credit.fraction), percent(f1),
+                  f1 < shortfall.skeleton_share ? "" : ", what the untouched skeleton fails");
   const auto cap = [&](double most, const char* why) {
     if (credit.fraction <= most) return;
     credit.fraction = most;

@@ -7,11 +7,12 @@ namespace atelier::judge {
 
 /// What is known about a failing picture.
 struct Shortfall {
-  double share = 1;            ///< f: of pixels that fail, 0..1
+  double share = 1;            ///< f: of the picture that fails, 0..1, by the weights of the case's regions
   double budget_share = 0;     ///< f0: of pixels that may fail, 0..1; 0 counts as one pixel of a 256x256 picture
   double skeleton_share = 1;   ///< f1: of pixels that the untouched skeleton fails, 0..1
   bool blob = false;           ///< failing pixels touch each other and fill at least 3x3
   bool whole_picture = false;  ///< one simple operation on the whole picture (a flip, a shift, a gain ...) explains it
+  bool weighted = false;       ///< the case has regions that count more or less than others
 };
 
 struct Credit {

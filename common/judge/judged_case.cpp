@@ -116,6 +116,11 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
                            c.budget));
     }
   }
+  if (const Json* mask = r.find("mask")) {
+    c.mask = read_mask(*mask, r.at("mask"), c.ask.size);
+    if (!r.find("reason")) r.refuse("'reason' is missing: a mask needs one");
+  }
+  if (const Json* regions = r.find("regions")) c.regions = read_regions(*regions, r.at("regions"), c.ask.size);
   if (const Json* reason = r.find("reason")) c.reason = strict_json::text(*reason, r.at("reason"));
   if (const Json* exposure = r.find("exposure")) {
     if (c.unit != Unit::colour) r.refuse("'exposure' belongs to unit 'colour' alone");

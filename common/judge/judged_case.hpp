@@ -22,13 +22,18 @@
 //
 //   Of a picture
 //     "scene"      a built-in scene's name or a file
-//     "camera"     {"eye": [x,y,z], "target": [..], "up": [..], "fov_y_degrees", "near", "far"}: what is absent is the
-//     scene's "size"       [width, height] pixels, 1..4096; [256, 256] "output"     "colour" (default) or an
-//     intermediate that the program lists "profile"    "strict" (default), "robust", "exact" "unit"       "colour"
-//     (default), "encoded", "degrees", "number"; see Unit "delta"      how far a pixel may be off, in the unit: 3 for
-//     colours (default); required for degrees and numbers "budget"     pixels that may be over delta: 4 "exposure"
-//     factor before clamping, colour only: 1 "reason"     why delta and budget are what they are; required where they
-//     are not the default "references" accepted pictures beside the case file: ["NAME.exr"]
+//     "camera"     {"eye": [x,y,z], "target", "up", "fov_y_degrees", "near", "far"}; what is absent is the scene's
+//     "size"       [width, height] pixels, 1..4096; [256, 256]
+//     "output"     "colour" (default) or an intermediate that the program lists
+//     "profile"    "strict" (default), "robust", "exact"
+//     "unit"       "colour" (default), "encoded", "degrees", "number"; see Unit
+//     "delta"      how far a pixel may be off, in the unit: 3 for colours (default); required for degrees and numbers
+//     "budget"     pixels that may be over delta: 4
+//     "exposure"   factor before clamping, colour only: 1
+//     "mask"       [[x, y, width, height], ...]: what is not compared, at most a quarter of the picture
+//     "regions"    [{"name", "at": [x, y, width, height], "weight"}, ...]: what counts more or less for partial credit
+//     "reason"     why delta, budget and mask are what they are; required where they are not the default
+//     "references" accepted pictures beside the case file: ["NAME.exr"]
 //
 //   Of a probe
 //     "probe"      the function, as the program lists it
@@ -44,6 +49,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "judge/regions.hpp"
 
 namespace atelier::judge {
 
@@ -83,10 +89,12 @@ struct JudgedCase {
   // Of a picture
   Profile profile = Profile::strict;
   Unit unit = Unit::colour;
-  double delta = 3;     ///< in the unit: 1/255, degrees, or the data's own
-  int budget = 4;       ///< pixels that may be over delta
-  double exposure = 1;  ///< factor before clamping, colour only
-  std::string reason;   ///< why delta and budget are what they are; required where they are not the default
+  double delta = 3;             ///< in the unit: 1/255, degrees, or the data's own
+  int budget = 4;               ///< pixels that may be over delta
+  double exposure = 1;          ///< factor before clamping, colour only
+  std::vector<Rectangle> mask;  ///< what is not compared; a NaN or an infinity there fails all the same
+  std::vector<Region> regions;  ///< what counts more or less for partial credit
+  std::string reason;  ///< why delta, budget and mask are what they are; required where they are not the default
   std::vector<std::filesystem::path> references;  ///< accepted pictures; the case file's folder stands before the name
 
   // Of a probe

@@ -109,7 +109,7 @@ double failing_share(const JudgedCase& c, const Answer& answer, const Right& rig
   }
   // A single colour stops at the gate, but its share counts: a background that is right earns nothing.
   if (!answer.pixels || !answer.pixels->same_size(right.picture)) return 1;
-  return measure(compared_form(*answer.pixels, c), right.picture, c).difference.share;
+  return measure(compared_form(*answer.pixels, c), right.picture, c).share;
 }
 
 void check_skeleton(const JudgedCase& c, const ReferenceMaterial& material, const Right& right, MadeReference& made) {
@@ -238,6 +238,8 @@ MadeReference make_reference(const std::filesystem::path& folder, const JudgedCa
   sidecar.delta = c.delta;
   sidecar.budget = c.budget;
   sidecar.exposure = c.exposure;
+  sidecar.mask = c.mask;
+  sidecar.regions = c.regions;
   sidecar.reason = c.reason;
   sidecar.environment = material.environment;
   sidecar.skeleton_share = made.skeleton_share;

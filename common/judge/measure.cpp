@@ -12,6 +12,36 @@ Image per_channel(Image image, Channel channel) {
   return image;
 }
 
+/// What is masked is right: the reference's own pixels stand there.
+Image with_mask(Image yours, const Image& reference, const std::vector<Rectangle>& mask) {
+  const Mask masked = mask_of(mask, {reference.width(), reference.height()});
+  for (int y = 0; y < reference.height(); ++y)
+    for (int x = 0; x < reference.width(); ++x)
+      if (masked.at(x, y)) yours.at(x, y) = reference.at(x, y);
+  return yours;
+}
+
+Measurement measure_all(const Image& yours, const Image& reference, const JudgedCase& c, double slack) {
+  Measurement measured;
+  measured.pixels = int(reference.pixels().size());
+  const double delta = c.profile == Profile::exact ? 0 : c.delta * slack;
+  measured.difference = c.profile == Profile::robust ? compare_robust(yours, reference, measure_of(c.unit), delta)
+                                                     : compare_strict(yours, reference, measure_of(c.unit), delta);
+  const Difference& found = measured.difference;
+  const bool plain = c.mask.empty() && c.regions.empty();
+  measured.share = plain ? found.share : weighted_share(found.mask, c.mask, c.regions);
+  if (c.profile == Profile::exact) {
+    measured.passed = found.over == 0;
+    return measured;
+  }
+  measured.shift = fit_shift(yours, reference);
+  const bool robust = c.profile == Profile::robust;
+  measured.shifted = measured.shift.length() >= slack * (robust ? robust_shift_limit : strict_shift_limit);
+  const bool few = robust || found.over <= slack * effective_budget(c, measured.pixels);
+  measured.passed = few && found.blob == 0 && !measured.shifted;
+  return measured;
+}
+
 }  // namespace
 
 Image compared_form(const Image& raw, const JudgedCase& c) {
@@ -44,22 +74,8 @@ int effective_budget(const JudgedCase& c, int pixels) {
 }
 
 Measurement measure(const Image& yours, const Image& reference, const JudgedCase& c, double slack) {
-  Measurement measured;
-  measured.pixels = int(reference.pixels().size());
-  const double delta = c.profile == Profile::exact ? 0 : c.delta * slack;
-  measured.difference = c.profile == Profile::robust ? compare_robust(yours, reference, measure_of(c.unit), delta)
-                                                     : compare_strict(yours, reference, measure_of(c.unit), delta);
-  const Difference& found = measured.difference;
-  if (c.profile == Profile::exact) {
-    measured.passed = found.over == 0;
-    return measured;
-  }
-  measured.shift = fit_shift(yours, reference);
-  const bool robust = c.profile == Profile::robust;
-  measured.shifted = measured.shift.length() >= slack * (robust ? robust_shift_limit : strict_shift_limit);
-  const bool few = robust || found.over <= slack * effective_budget(c, measured.pixels);
-  measured.passed = few && found.blob == 0 && !measured.shifted;
-  return measured;
+  if (c.mask.empty()) return measure_all(yours, reference, c, slack);
+  return measure_all(with_mask(yours, reference, c.mask), reference, c, slack);
 }
 
 Worst worst_pixel(const Measurement& measured, const Image& yours, const Image& reference, Unit unit) {

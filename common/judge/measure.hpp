@@ -27,14 +27,15 @@ int effective_budget(const JudgedCase& c, int pixels);
 struct Measurement {
   bool passed = false;
   int pixels = 0;         ///< of the picture
-  Difference difference;  ///< by the profile
+  Difference difference;  ///< by the profile; nothing is over where the case has a mask
+  double share = 0;       ///< of the picture that fails, 0..1: without what is masked, and regions by their weights
   Shift shift;            ///< of the whole picture; 0 for the exact profile, which does not ask
   bool shifted = false;   ///< farther than the profile's limit
 };
 
-/// Compares two pictures of the same size, finite, in compared form. `slack` multiplies what the case tolerates (delta,
-/// budget, limit of the shift): 1 judges, 2 asks whether a mistake keeps twice the distance that it must. The exact
-/// profile tolerates nothing, and twice nothing.
+/// Compares two pictures of the size that the case asks for, finite, in compared form. `slack` multiplies what the case
+/// tolerates (delta, budget, limit of the shift): 1 judges, 2 asks whether a mistake keeps twice the distance that it
+/// must. The exact profile tolerates nothing, and twice nothing.
 Measurement measure(const Image& yours, const Image& reference, const JudgedCase& c, double slack = 1);
 
 /// The worst pixel of a measurement, both values in the unit that was compared (0..255 for colours).

@@ -70,8 +70,8 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   const std::string where = file.string();
   const Json json = strict_json::parse(read_file(file), where);
   strict_json::refuse_unknown(json,
-                              {"schema", "case", "profile", "unit", "delta", "budget", "exposure", "reason", "sha256",
-                               "environment", "skeleton_share", "nearest", "margin", "results"},
+                              {"schema", "case", "profile", "unit", "delta", "budget", "exposure", "mask", "regions",
+                               "reason", "sha256", "environment", "skeleton_share", "nearest", "margin", "results"},
                               where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   const auto at = [&](const char* name) { return where + ": " + name; };
@@ -98,6 +98,10 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   sidecar.delta = strict_json::number(member("delta"), at("delta"), 0, 1e9);
   sidecar.budget = strict_json::whole(member("budget"), at("budget"), 0, 1 << 24);
   sidecar.exposure = strict_json::number(member("exposure"), at("exposure"), 0, 1e9);
+  constexpr glm::ivec2 any_size(4096);  // the largest of a case; it was checked against its own
+  if (const Json* mask = strict_json::optional(json, "mask")) sidecar.mask = read_mask(*mask, at("mask"), any_size);
+  if (const Json* regions = strict_json::optional(json, "regions"))
+    sidecar.regions = read_regions(*regions, at("regions"), any_size);
   sidecar.sha256 = strict_json::name(member("sha256"), at("sha256"), "");
   if (const Json* reason = strict_json::optional(json, "reason"))
     sidecar.reason = strict_json::text(*reason, at("reason"));
@@ -114,6 +118,8 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar) {
     json["delta"] = sidecar.delta;
     json["budget"] = sidecar.budget;
     json["exposure"] = sidecar.exposure;
+    if (!sidecar.mask.empty()) json["mask"] = to_json(sidecar.mask);
+    if (!sidecar.regions.empty()) json["regions"] = to_json(sidecar.regions);
     if (!sidecar.reason.empty()) json["reason"] = sidecar.reason;
     json["sha256"] = sidecar.sha256;
   }
@@ -140,6 +146,8 @@ void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::files
   expect("delta", sidecar.delta, c.delta);
   expect("budget", sidecar.budget, c.budget);
   expect("exposure", sidecar.exposure, c.exposure);
+  expect("mask", to_json(sidecar.mask).dump(), to_json(c.mask).dump());
+  expect("regions", to_json(sidecar.regions).dump(), to_json(c.regions).dump());
 }
 
 WrongValues read_wrong_values(const std::filesystem::path& file) {

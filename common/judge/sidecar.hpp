@@ -26,6 +26,8 @@ struct Sidecar {
   double delta = 3;
   int budget = 4;
   double exposure = 1;
+  std::vector<Rectangle> mask;
+  std::vector<Region> regions;
   std::string reason;
 
   std::string sha256;                              ///< of the picture file; empty for a probe

@@ -192,7 +192,8 @@ void explain_picture(CaseResult& result, const Match& match, const JudgedCase& c
   name_picture(result, match, c, references, mistake_picture);
 
   Shortfall shortfall;
-  shortfall.share = measured.difference.share;
+  shortfall.share = measured.share;
+  shortfall.weighted = !c.regions.empty();
   shortfall.budget_share = double(effective_budget(c, measured.pixels)) / measured.pixels;
   shortfall.skeleton_share = references.of(c).skeleton_share;
   shortfall.blob = measured.difference.blob > 0;

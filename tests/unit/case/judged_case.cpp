@@ -70,6 +70,7 @@ TEST_CASE("a picture case takes its defaults") {
 }
 
 TEST_CASE("a picture case takes every member") {
+  const json pole = {{"name", "the pole"}, {"at", {120, 0, 16, 8}}, {"weight", 2.5}};
   const JudgedCase c = read_one(with(picture(), {{"tier", "challenge"},
                                                  {"student", false},
                                                  {"functions", {"shade_point"}},
@@ -79,6 +80,8 @@ TEST_CASE("a picture case takes every member") {
                                                  {"delta", 0.5},
                                                  {"budget", 7},
                                                  {"reason", "Half a degree is the mesh."},
+                                                 {"mask", {{0, 0, 64, 256}}},
+                                                 {"regions", {pole}},
                                                  {"references", {"a.exr", "b.png"}}}));
   CHECK(c.tier == "challenge");
   CHECK_FALSE(c.student);
@@ -88,6 +91,8 @@ TEST_CASE("a picture case takes every member") {
   CHECK(c.delta == 0.5);
   CHECK(c.budget == 7);
   CHECK(c.references.size() == 2);
+  CHECK(c.mask == std::vector<Rectangle>{{0, 0, 64, 256}});  // a quarter of 256x256: as much as may be
+  CHECK(c.regions == std::vector<Region>{{"the pole", {120, 0, 16, 8}, 2.5}});
   const JudgedCase exact = read_one(with(picture(), {{"profile", "exact"}, {"unit", "encoded"}}));
   CHECK(exact.delta == 0);
   CHECK(exact.budget == 0);
@@ -128,6 +133,8 @@ TEST_CASE("broken judged cases are refused with file, case, member and what is a
     const char* words;
   };
   const json wide = {{"delta", 9}};
+  const auto masked = [](const json& mask) { return json{{"mask", mask}, {"reason", "Noise."}}; };
+  const auto regions = [](const json& region) { return json{{"regions", json::array({region})}}; };
   const Row rows[] = {
       {with(picture(), {{"title", nullptr}}), "case 'sphere': member 'title' is missing"},
       {with(picture(), {{"title", "a\nb"}}), "case 'sphere': title: \"a\\nb\" is not allowed"},
@@ -163,6 +170,30 @@ TEST_CASE("broken judged cases are refused with file, case, member and what is a
        "profile 'exact' allows no difference, and so no 'delta'"},
       {with(picture(), {{"exposure", 0}}), "exposure: 0 is not allowed"},
       {with(picture(), {{"exposure", 2}, {"unit", "encoded"}}), "'exposure' belongs to unit 'colour' alone"},
+      {with(picture(), {{"mask", {{0, 0, 8, 8}}}}), "'reason' is missing: a mask needs one"},
+      {with(picture(), masked(json::array())), "mask: [] is not allowed; it takes a list of rectangles"},
+      {with(picture(), masked({0, 0, 8, 8})), "mask: rectangle 0: 0 is not allowed; it takes [x, y, width, height]"},
+      {with(picture(), masked({{0, 0, 8}})), "mask: rectangle 0: [0,0,8] is not allowed"},
+      {with(picture(), masked({{0, 0, 8, 1.5}})), "mask: rectangle 0: [0,0,8,1.5] is not allowed"},
+      {with(picture(), masked({{0, 0, 8, 8}, {-1, 0, 8, 8}})), "mask: rectangle 1: [-1,0,8,8] is not allowed"},
+      {with(picture(), masked({{0, 0, 0, 8}})), "mask: rectangle 0: [0,0,0,8] is not allowed"},
+      {with(picture(), masked({{250, 0, 7, 8}})),
+       "[250,0,7,8] is not allowed; it takes [x, y, width, height] in whole"},
+      {with(picture(), masked({{1, 0, 9223372036854775807, 8}})), "inside 256x256"},
+      {with(picture(), masked({{0, 0, 65, 256}})), "mask: 0.254 of the picture is masked; at most 0.25 may be"},
+      {with(probe(), {{"mask", {{0, 0, 8, 8}}}}), "'mask' belongs to a picture, and this is a probe"},
+      {with(picture(), {{"regions", json::object()}}), "regions: {} is not allowed; it takes a list of objects"},
+      {with(picture(), regions({{"name", "a"}, {"at", {0, 0, 8, 8}}})),
+       "regions: region 0: member 'weight' is missing"},
+      {with(picture(), regions({{"name", "a"}, {"at", {0, 0, 8, 8}}, {"weight", 0}})),
+       "regions: region 0: weight: 0 is not allowed; it takes a number 0.01..100"},
+      {with(picture(), regions({{"name", "a"}, {"at", {0, 0, 8, 257}}, {"weight", 2}})),
+       "regions: region 0: at: [0,0,8,257] is not allowed"},
+      {with(picture(), regions({{"nmae", "a"}, {"at", {0, 0, 8, 8}}, {"weight", 2}})), "unknown member 'nmae'"},
+      {with(picture(), {{"regions",
+                         {{{"name", "a"}, {"at", {0, 0, 8, 8}}, {"weight", 2}},
+                          {{"name", "b"}, {"at", {7, 7, 8, 8}}, {"weight", 3}}}}}),
+       "regions: region 1: 'b' overlaps 'a'; regions must lie apart"},
       {with(picture(), {{"references", json::array()}}), "references: [] is not allowed"},
       {with(picture(), {{"references", {"../a.exr"}}}), "references: \"../a.exr\" is not allowed"},
       {with(picture(), {{"references", {"a.jpg"}}}), "references: \"a.jpg\" is not allowed"},

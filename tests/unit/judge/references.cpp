@@ -197,7 +197,15 @@ TEST_CASE("a reference made for another tolerance or size is stale") {
     void (*change)(JudgedCase&);
   };
   for (const Row& row :
-       {Row{"delta", [](JudgedCase& c) { c.delta = 2; }}, Row{"budget", [](JudgedCase& c) { c.budget = 5; }},
+       {Row{"mask []",
+            [](JudgedCase& c) {
+              c.mask = {{0, 0, 8, 8}};
+            }},
+        Row{"regions []",
+            [](JudgedCase& c) {
+              c.regions = {{"the corner", {0, 0, 8, 8}, 2}};
+            }},
+        Row{"delta", [](JudgedCase& c) { c.delta = 2; }}, Row{"budget", [](JudgedCase& c) { c.budget = 5; }},
         Row{"profile", [](JudgedCase& c) { c.profile = Profile::robust; }},
         Row{"exposure", [](JudgedCase& c) { c.exposure = 2; }}, Row{"192x192", [](JudgedCase& c) {
                                                                       c.ask.size = {96, 96};
@@ -208,6 +216,19 @@ TEST_CASE("a reference made for another tolerance or size is stale") {
     INFO(message);
     CHECK(mentions(message, {row.name}));
   }
+}
+
+TEST_CASE("mask and regions stand in the sidecar, and the skeleton's share heeds them") {
+  const TemporaryFolder folder;
+  JudgedCase c = claiming({"no-shadow"});
+  c.mask = {{0, 0, 8, 192}, {184, 0, 8, 192}};
+  c.regions = {{"the middle", {64, 64, 64, 64}, 10}};
+  make_reference(folder.path(), c, good_material());
+  const Sidecar sidecar = read_sidecar(folder.path() / "sphere.json");
+  CHECK(sidecar.mask == c.mask);
+  CHECK(sidecar.regions == c.regions);
+  CHECK(sidecar.skeleton_share != check_reference(claiming({"no-shadow"}), good_material()).skeleton_share);
+  read_from(folder.path()).require({c});
 }
 
 TEST_CASE("probes: numbers by hand or by the solution, and what mistakes answer") {
