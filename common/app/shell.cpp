@@ -30,6 +30,13 @@ Encoding encoding_of(const StepDescription& description, const std::string& outp
   return Encoding::linear;
 }
 
+/// Refuses a camera that nothing depends on, before anything is drawn.
+void check_has_camera(const StepDescription& description, const CommandLine& line) {
+  const bool moved = line.picture.camera.eye || line.picture.camera.target || !line.record.empty();
+  if (moved && !description.camera)
+    throw Error(description.name + " has no camera: --eye, --target and --record would change nothing");
+}
+
 /// Where only one of eye and target was given, it may be the scene's other.
 void check_camera(const CaseCamera& given, const Camera& camera) {
   if ((given.eye || given.target) && camera.eye == camera.target)
@@ -46,6 +53,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     answer_cases(painter, line.cases, line.out, line.progress);
     return exit_ok;
   }
+  check_has_camera(program->description(), line);
   for (const auto& [name, text] : line.settings) {
     Settings checked(program->description().settings);
     checked.set(name, std::string_view(text));

@@ -73,6 +73,7 @@ class Hello : public StepProgram {
 
   StepDescription description_{.name = "00-hello",
                                .title = "Hello, triangle",
+                               .camera = false,
                                .scenes = {"triangle"},
                                .outputs = {{"colour", Encoding::linear, "what is seen"}}};
   Gl* gl_ = nullptr;

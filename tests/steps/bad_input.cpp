@@ -150,3 +150,35 @@ TEST_CASE("progress goes to stderr, and leaves the JSON on stdout as it is", "[b
   CHECK(mentions(progress, {"00-hello: ", "cases passed (step 1 of 1)\n"}));
   CHECK(std::count(progress.begin(), progress.end(), '\n') == 1);
 }
+
+TEST_CASE("a step's program refuses what would change nothing", "[bad-input]") {
+  const TemporaryFolder empty;
+  const std::string out = (empty.path() / "out.png").string(), film = (empty.path() / "out.mp4").string();
+  const std::string turn = (empty.path() / "out.gif").string();
+  struct Row {
+    const char* step;
+    std::vector<std::string> arguments;
+    std::vector<std::string_view> says;
+  };
+  const Row rows[] = {
+      {"00-hello", {"--out", out, "--eye", "0,1,2"}, {"00-hello has no camera", "--eye"}},
+      {"00-hello", {"--record", turn, "--frames", "2"}, {"00-hello has no camera", "--record"}},
+      {"01-transforms", {"--out", out, "--frames", "2"}, {"--frames", "--record"}},
+      {"01-transforms", {"--out", out, "--eye", "1,2,3", "--target", "1,2,3"}, {"--eye", "--target"}},
+      {"01-transforms", {"--out", out, "--scene", "materials", "--eye", "0,0,0"}, {"--eye", "scene's camera looks"}},
+      {"01-transforms", {"--out", out, "--scene", "materials", "--target", "0,0,8"}, {"--target", "camera stands"}},
+      {"01-transforms", {"--out", out, "--implementations", ""}, {"--implementations", "no value"}},
+      {"01-transforms", {"--record", film}, {"--record", ".gif", ".png, .bmp or .exr"}},
+  };
+  for (const Row& row : rows) {
+    std::vector<std::string> arguments = {folders().program(row.step).string()};
+    arguments.insert(arguments.end(), row.arguments.begin(), row.arguments.end());
+    const Finished finished = run_process({.arguments = arguments});
+    INFO(finished.output);
+    CHECK(finished.exit_status == 2);
+    CHECK(finished.output.starts_with("error: "));
+    for (std::string_view word : row.says) CHECK(mentions(finished.output, {word}));
+    CHECK(std::count(finished.output.begin(), finished.output.end(), '\n') == 1);
+    CHECK(std::filesystem::is_empty(empty.path()));
+  }
+}
