@@ -18,7 +18,7 @@ struct Rectangle {
 
 /// A part whose pixels count `weight` times where credit is given; all others count once.
 struct Region {
-  std::string name;  ///< what is seen there, as the verdict says it: "the highlight"
+  std::string name;  ///< what is seen there: "the highlight"; for who reads the case file, and for messages
   Rectangle at;
   double weight = 1;  ///< 0.01..100
   bool operator==(const Region&) const = default;

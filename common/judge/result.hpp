@@ -41,10 +41,11 @@ struct CaseResult {
   Status status = Status::missing;
   double score = 0, max_score = 0;
 
-  std::string asked;                      ///< what the case asks for, in one sentence
-  std::string reason;                     ///< what was seen, in one sentence; for a pass, the margin
-  std::optional<std::string> hypothesis;  ///< one operation on all of it that explains it: "flipped-y", "transposed" ...
-  std::optional<std::string> mistake;     ///< the name of the known mistake that the answer looks like
+  std::string asked;   ///< what the case asks for, in one sentence
+  std::string reason;  ///< what was seen, in one sentence; for a pass, the margin
+  std::optional<std::string>
+      hypothesis;                      ///< one operation on all of it that explains it: "flipped-y", "transposed" ...
+  std::optional<std::string> mistake;  ///< the name of the known mistake that the answer looks like
   std::optional<std::string> mistake_sentence;  ///< what a student reads about it
   std::string hint;                             ///< what to try next
   std::string credit;                           ///< how partial credit came about; empty when all or nothing
