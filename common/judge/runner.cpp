@@ -289,23 +289,20 @@ void wait_for_any(const std::vector<std::unique_ptr<Share>>& shares) {
 }
 
 /// Shares for at most `workers` processes, none of them empty. Neighbours with the same scene stay together, because
-/// they mostly draw with the same shader, which each process would otherwise compile for itself; but only a few of them,
-/// because cases of one kind are slow together.
+/// they mostly draw with the same shader, which each process would otherwise compile for itself; but only a few of
+/// them, because cases of one kind are slow together.
 std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const std::vector<std::size_t>& order,
                                           std::size_t workers) {
-  constexpr int most_together = 4;
+  constexpr std::size_t most_ahead = 3;  // cases, of the smallest share
   std::vector<std::deque<std::size_t>> shares(std::min(workers, cases.size()));
   std::deque<std::size_t>* share = nullptr;
-  int together = 0;
   for (const std::size_t index : order) {
-    const bool neighbour = share && cases[share->back()].scene == cases[index].scene && together < most_together;
-    if (!neighbour) {
-      share = &*std::min_element(shares.begin(), shares.end(),
-                                 [](const auto& a, const auto& b) { return a.size() < b.size(); });
-      together = 0;
-    }
+    const auto smallest = std::min_element(shares.begin(), shares.end(),
+                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
+    const bool stays = share && cases[share->back()].scene == cases[index].scene &&
+                       share->size() < smallest->size() + most_ahead && share->size() * shares.size() < cases.size();
+    if (!stays) share = &*smallest;
     share->push_back(index);
-    ++together;
   }
   return shares;
 }
@@ -374,6 +371,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
   const auto done = [](const auto& share) { return share->done(); };
   while (!std::all_of(shares.begin(), shares.end(), done)) {
     wait_for_any(shares);
+    if (settings.interrupted && settings.interrupted()) throw Interrupted();
     for (const auto& share : shares)
       if (!share->done()) share->advance();
   }

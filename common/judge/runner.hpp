@@ -12,6 +12,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -41,7 +42,13 @@ struct RunSettings {
   int driver_threads = 0;                          ///< llvmpipe's own threads, 0..32: 0 draws in the calling thread
   std::filesystem::path shader_cache;              ///< the driver's, made where missing; empty: none
   std::map<std::string, std::string> environment;  ///< variables set beside, and last of all
+  std::function<bool()> interrupted;               ///< asked every few milliseconds: whether to stop; empty: never
   std::size_t output_limit = 8 << 10;              ///< bytes kept of what the program prints around one case
+};
+
+/// Thrown where RunSettings::interrupted said so: the programs have been ended, and there are no answers.
+struct Interrupted : std::exception {
+  const char* what() const noexcept override { return "interrupted"; }
 };
 
 /// Called in the calling thread as each answer comes in, with the case's place in the list.
@@ -55,7 +62,8 @@ using OnAnswer = std::function<void(std::size_t, const Answer&)>;
 /// - crashed, timeout: a signal or a limit ended the program in this case, or before it began any. What the student's
 ///   code threw is a crash of this case too, and `error` says what it was; the program goes on with the next.
 /// - timeout too where the case was not asked any more, after settings.most_time_outs; `error` says so.
-/// Throws Error where a setting is out of range, a name stands twice, or the program cannot be started at all.
+/// Throws Error where a setting is out of range, a name stands twice, or the program cannot be started at all;
+/// Interrupted where `settings` says so.
 std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Case>& cases,
                               const OnAnswer& on_answer = {});
 

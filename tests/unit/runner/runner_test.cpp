@@ -153,7 +153,7 @@ TEST_CASE("after three time-outs no case is asked any more") {
 TEST_CASE("time-outs are counted over all workers together") {
   RunSettings s = settings();
   s.case_limit = 300ms, s.workers = 2, s.most_time_outs = 1;
-  const auto answers = run_cases(s, make_cases({"hangs", "hangs", "honest", "honest", "hangs", "honest"}));
+  const auto answers = run_cases(s, make_cases({"hangs", "hangs, floods", "honest", "honest", "hangs", "honest"}));
   for (std::size_t i = 2; i < answers.size(); ++i) {
     INFO("case " << i << ": " << answers[i].error);
     CHECK(to_string(answers[i].ended) == "timeout");
@@ -200,6 +200,15 @@ TEST_CASE("a program that will not leave is not waited for long") {
   CHECK(to_string(answers[1].ended) == "normally");
 }
 
+TEST_CASE("a run that is interrupted ends its programs and waits for none") {
+  RunSettings s = settings();
+  s.case_limit = s.start_limit = 1h;
+  int asked = 0;
+  s.interrupted = [&] { return ++asked == 10; };
+  CHECK_THROWS_AS(run_cases(s, make_cases({"hangs", "honest"})), Interrupted);
+  CHECK(asked == 10);
+}
+
 TEST_CASE("answers come in the order of the cases, whatever the workers and the order of asking") {
   const std::vector<Case> cases = make_cases({"honest", "probe", "honest", "segfaults", "honest", "prints", "nothing"});
   const auto plain = run_cases(settings(), cases);
@@ -223,14 +232,23 @@ TEST_CASE("answers come in the order of the cases, whatever the workers and the 
   }
 }
 
-TEST_CASE("shares are interleaved and shuffled as the seed says") {
+TEST_CASE("shares are dealt in small runs of one scene, and shuffled as the seed says") {
   RunSettings s = settings();
   s.workers = 2;
-  const std::vector<Case> cases = make_cases(std::vector<std::string>(6, "honest"));
-  const auto answers = run_cases(s, cases);
-  for (std::size_t i = 0; i < 6; ++i) CHECK(place(answers[i]) == float(i / 2 + 1));
+  const auto places = [&](const std::vector<std::string>& scenes) {
+    std::vector<int> found;
+    for (const Answer& answer : run_cases(s, make_cases(scenes))) found.push_back(int(place(answer)));
+    return found;
+  };
+  CHECK(places(std::vector<std::string>(2, "honest")) == std::vector{1, 1});
+  CHECK(places(std::vector<std::string>(6, "honest")) == std::vector{1, 2, 3, 1, 2, 3});
+  CHECK(places(std::vector<std::string>(12, "honest")) == std::vector{1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6});
+  const std::vector<int> mixed = places({"honest", "prints", "prints", "honest"});
+  CHECK(mixed[0] == 1);
+  CHECK(mixed[3] == 2);
 
   s.workers = 1, s.shuffle = 3;
+  const std::vector<Case> cases = make_cases(std::vector<std::string>(6, "honest"));
   const auto shuffled = run_cases(s, cases);
   const auto order = asking_order(6, 3);
   for (std::size_t i = 0; i < 6; ++i) CHECK(place(shuffled[order[i]]) == float(i + 1));
