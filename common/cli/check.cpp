@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/own_files.hpp"
+#include "cli/progress_record.hpp"
 #include "grade/environment.hpp"
 #include "judge/preview.hpp"
 #include "judge/report_html.hpp"
@@ -87,6 +88,20 @@ void write_reports(judge::SubmissionResult& result, const fs::path& folder) {
     judge::write_preview(folder / "preview.png", *evidence);
 }
 
+/// Whether this check says how far the student is: of the own files, and of every case.
+bool counts_as_progress(const CheckOptions& options) {
+  return options.cases.empty() && options.sources.empty();
+}
+
+/// Takes the verdict down, unless the files were edited meanwhile: it is then about a text that is nowhere any more.
+void record_progress(const ProjectFolders& folders, const CourseStep& step, const StepResult& result,
+                     const std::string& files_before) {
+  if (digest_of_files(folders.steps() / step.name, step.files) != files_before) return;
+  ProgressRecord record = read_progress(folders.progress());
+  record_check(record, result, files_before);
+  write_progress(folders.progress(), record);
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options) {
@@ -95,11 +110,15 @@ int run_check(const CheckOptions& options) {
   const CourseStep step = resolve_step(course, options.step);
   const fs::path report = options.report.empty() ? folders.out() / "check" / step.name : fs::absolute(options.report);
 
+  read_progress(folders.progress());  // a broken record is better heard of before the work than after
+  const std::string files = digest_of_files(folders.steps() / step.name, step.files);
+
   judge::SubmissionResult result;
   result.submission = "yours";
   result.steps.push_back(judge_own_files(folders, options, step, course));
   grade::sum_up(result);
   if (!options.json) print_verdict(result.steps.front(), options, report);
+  if (counts_as_progress(options)) record_progress(folders, step, result.steps.front(), files);
 
   if (options.json || !options.skip_report)
     result.environment = grade::describe_environment(options.context, folders.step_flags(), folders.root);

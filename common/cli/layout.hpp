@@ -29,6 +29,7 @@ struct ProjectFolders {
   std::filesystem::path variants() const { return root / "tests" / "variants"; }
   std::filesystem::path handouts() const { return root / "handouts"; }
   std::filesystem::path out() const { return root / "out"; }
+  std::filesystem::path progress() const { return root / "progress.json"; }  ///< see cli/progress_record.hpp
 
   std::filesystem::path case_file(const std::string& step) const { return cases() / step / "cases.json"; }
   std::filesystem::path mistakes_file(const std::string& step) const { return mistakes() / step / "mistakes.json"; }

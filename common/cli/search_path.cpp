@@ -3,33 +3,23 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
-#include "case/strict_json.hpp"
+#include "cli/progress_record.hpp"
+#include "judge/judged_case.hpp"
 
 namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-using strict_json::Json;
 
-/// Whether the report of the last check is about every case, gives all points, and is younger than the step's files.
+/// Whether the last full check passed every case that the step has, with the files that are there now.
 bool has_passed(const ProjectFolders& folders, const CourseStep& step) {
-  const fs::path report = folders.out() / "check" / step.name / "results.json";
-  std::error_code error;
-  const auto judged = fs::last_write_time(report, error);
-  if (error) return false;
-  for (const std::string& file : step.files)
-    if (const auto written = fs::last_write_time(folders.steps() / step.name / file, error); error || written > judged)
-      return false;
-  try {
-    const Json results = strict_json::parse(read_file(report), report.string());
-    const auto& cases = results.at("steps").at(0).at("cases");
-    for (const Json& c : cases)
-      if (c.at("status") != "passed") return false;
-    return cases.size() == judge::read_case_file(folders.case_file(step.name)).cases.size();
-  } catch (const std::exception&) {
-    return false;  // a report that cannot be read proves nothing
-  }
+  const ProgressRecord record = read_progress(folders.progress());
+  const auto found = record.find(step.name);
+  if (found == record.end()) return false;
+  std::vector<std::string> cases;
+  for (const judge::JudgedCase& c : judge::read_case_file(folders.case_file(step.name)).cases)
+    cases.push_back(c.ask.name);
+  return has_passed(found->second, cases, digest_of_files(folders.steps() / step.name, step.files));
 }
 
 bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner) {

@@ -22,8 +22,8 @@ grade::Code code_of(const ProjectFolders& folders, Owner owner);
 using Owners = std::map<std::string, Owner>;
 
 /// Who stands behind each step that `step` uses: `asked` ("mine" or "solution") where it is there. With an empty
-/// `asked`: the student where the last `check` of that step passed in full and its files have not changed since, the
-/// solution otherwise, so that nobody is stuck. Throws Error for another word.
+/// `asked`: the student where the last full `check` of that step passed every case with the very files that are there
+/// now (cli/progress_record.hpp), the solution otherwise, so that nobody is stuck. Throws Error for another word.
 Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                      const std::string& asked);
 

@@ -2,6 +2,7 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
+#include "cli/progress_record.hpp"
 #include "cli/search_path.hpp"
 #include "cli/skeleton_record.hpp"
 
@@ -98,6 +99,38 @@ TEST_CASE("the search path has the code under judgement in front, for its own st
   CHECK(choose_owners(folders, two, step, "solution").at("01-move") == Owner::mine);  // the solution is not here
   CHECK(in_words(solution, "02-light", "yours") ==
         std::map<std::string, std::string>{{"01-move", "solution"}, {"02-light", "yours"}});
+}
+
+TEST_CASE("a student's own earlier step is used where it has passed with the files that are there") {
+  const TemporaryFolder root;
+  const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
+  write_file(root.path() / "solutions/01-move/move.cpp", std::string_view("solution"));
+  write_file(root.path() / "steps/01-move/move.cpp", std::string_view("mine"));
+  write_file(folders.case_file("01-move"), std::string_view(R"({"schema": 1, "step": "01-move", "title": "Move",
+    "defaults": {"scene": "any", "asked": "A picture.", "points": 0},
+    "cases": [{"name": "a", "title": "A"}, {"name": "b", "title": "B"}]})"));
+  const CourseStep step{.name = "02-light", .uses = {"01-move"}};
+  const std::vector<CourseStep> two = {{.name = "01-move", .files = {"move.cpp"}}, step};
+  const auto owner = [&] { return choose_owners(folders, two, step, "").at("01-move"); };
+  const auto take_down = [&](judge::Status b) {
+    judge::StepResult result{.step = "01-move"};
+    result.cases.push_back({.name = "a", .status = judge::Status::passed});
+    result.cases.push_back({.name = "b", .status = b});
+    ProgressRecord record = read_progress(folders.progress());
+    record_check(record, result, digest_of_files(folders.steps() / "01-move", {"move.cpp"}));
+    write_progress(folders.progress(), record);
+  };
+
+  CHECK(owner() == Owner::solution);
+  take_down(judge::Status::failed);
+  CHECK(owner() == Owner::solution);
+  take_down(judge::Status::passed);
+  CHECK(owner() == Owner::mine);
+  CHECK(choose_owners(folders, two, step, "solution").at("01-move") == Owner::solution);
+  write_file(root.path() / "steps/01-move/move.cpp", std::string_view("mine, edited since"));
+  CHECK(owner() == Owner::solution);
+  write_file(folders.progress(), std::string_view("{"));
+  CHECK(mentions(error_of(owner), {"progress.json", "move it away"}));
 }
 
 TEST_CASE("an edited skeleton is told from an untouched one") {
