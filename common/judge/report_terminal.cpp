@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "case/printable.hpp"
+#include "judge/columns.hpp"
 #include "judge/report_words.hpp"
 
 namespace atelier::judge {
@@ -19,58 +20,6 @@ constexpr int label_width = 14;  // columns of the longest label, its indentatio
 std::string_view variable(const char* name) {
   const char* const value = std::getenv(name);
   return value ? value : "";
-}
-
-// ---- words and columns
-
-/// Columns that printable text takes, counting each character as one: names and sentences of ours are narrow.
-int columns(std::string_view text) {
-  return int(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-std::string padded(std::string text, int width) {
-  return text + std::string(std::size_t(std::max(0, width - columns(text))), ' ');
-}
-
-/// The front of a text, at most `width` columns.
-std::string fitted(std::string_view text, int width) {
-  if (columns(text) <= width) return std::string(text);
-  std::size_t end = 0;
-  for (int taken = 0; end < text.size(); ++end) {
-    const bool starts_character = (text[end] & 0xC0) != 0x80;
-    if (starts_character && taken++ == width - 3) break;
-  }
-  return std::string(text.substr(0, end)) + "...";
-}
-
-/// Words in lines of at most `width` columns, further lines indented; a longer word stands alone.
-std::string wrapped(std::string_view text, int width, int indent) {
-  std::string lines;
-  int used = 0;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view word = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (used > 0 && used + 1 + columns(word) > width) {
-      lines += "\n" + std::string(std::size_t(indent), ' ');
-      used = 0;
-    } else if (used > 0) {
-      lines += ' ', ++used;
-    }
-    lines += word;
-    used += columns(word);
-  }
-  return lines;
-}
-
-std::string indented(std::string_view text, std::string_view indent) {
-  std::string lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.append(indent).append(text.substr(0, end)).append("\n");
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 // ---- colour and links
