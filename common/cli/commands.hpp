@@ -34,6 +34,12 @@ struct RunOptions {
 };
 int run_run(const RunOptions& options);
 
+struct HintOptions {
+  std::string step, case_name;  ///< without a case: the first that the last check did not pass
+  std::optional<int> level;     ///< 1..3: shown without being counted
+};
+int run_hint(const HintOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

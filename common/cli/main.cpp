@@ -52,6 +52,7 @@ struct AllOptions {
   ListOptions list;
   CheckOptions check;
   RunOptions run;
+  HintOptions hint;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -79,6 +80,12 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   CLI::App* run = interface.add("run", "Build your own files of a step and open its program", options.run, run_run);
   add_earlier(run, options.run.earlier);
   run->prefix_command()->footer("STEP and then the program's own arguments: ./atelier run 02 --scene teapot");
+
+  CLI::App* hint = interface.add("hint", "The next of a case's three hints", options.hint, run_hint);
+  add_step(hint, options.hint.step);
+  hint->add_option("case", options.hint.case_name, "A case; without one: the first that the last check did not pass");
+  hint->add_option("--level", options.hint.level, "Show this level again, without counting it")
+      ->check(CLI::Range(1, 3));
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {
