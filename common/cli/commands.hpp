@@ -40,6 +40,14 @@ struct HintOptions {
 };
 int run_hint(const HintOptions& options);
 
+struct ProgressOptions {
+  bool json = false;
+};
+int run_progress(const ProgressOptions& options);
+
+struct NextOptions {};
+int run_next(const NextOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

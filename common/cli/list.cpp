@@ -8,7 +8,7 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/skeleton_record.hpp"
-#include "judge/judged_case.hpp"
+#include "cli/standing.hpp"
 
 namespace atelier {
 namespace {
@@ -17,22 +17,16 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 struct Row {
-  CourseStep step;
-  std::vector<SkeletonState> states;  ///< of its files
-  int cases = 0;
-  double points = 0;
+  Standing standing;
+  std::vector<SkeletonState> states;                     ///< of its files
   bool program = false, mine = false, solution = false;  ///< what is built
 };
 
-Row describe(const ProjectFolders& folders, const CourseStep& step, const SkeletonRecord& record) {
-  Row row{.step = step};
+Row describe(const ProjectFolders& folders, const Standing& standing, const SkeletonRecord& record) {
+  Row row{.standing = standing, .states = {}};
+  const CourseStep& step = standing.step;
   for (const std::string& file : step.files)
     row.states.push_back(skeleton_state(folders.steps(), record, step.name + "/" + file));
-  if (fs::exists(folders.case_file(step.name))) {
-    const judge::CaseFile file = judge::read_case_file(folders.case_file(step.name));
-    row.cases = int(file.cases.size());
-    for (const judge::JudgedCase& c : file.cases) row.points += c.points;
-  }
   const auto built = [&](const char* whose) {
     return fs::exists(folders.implementations() / whose / step.name / "libstep.so");
   };
@@ -45,14 +39,15 @@ Row describe(const ProjectFolders& folders, const CourseStep& step, const Skelet
 std::string files_in_words(const Row& row) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < row.states.size(); ++i)
-    words.push_back(fmt::format("{} ({})", row.step.files[i], to_string(row.states[i])));
+    words.push_back(fmt::format("{} ({})", row.standing.step.files[i], to_string(row.states[i])));
   return join(words);
 }
 
 void print_table(const std::vector<Row>& rows) {
-  fmt::print("{:<20} {:>5} {:>6}  {}\n", "step", "cases", "points", "title");
+  fmt::print("{:<20} {:>5} {:>6}  {:<24} {}\n", "step", "cases", "points", "you", "title");
   for (const Row& row : rows) {
-    fmt::print("{:<20} {:>5} {:>6g}  {}\n", row.step.name, row.cases, row.points, row.step.title);
+    const Standing& s = row.standing;
+    fmt::print("{:<20} {:>5} {:>6g}  {:<24} {}\n", s.step.name, s.cases, s.max_score, in_words(s), s.step.title);
     fmt::print("{:<33}  {}{}\n", "", files_in_words(row), row.program ? "" : "; its program is not built");
   }
 }
@@ -62,13 +57,14 @@ Json to_json(const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     Json files = Json::array();
     for (std::size_t i = 0; i < row.states.size(); ++i)
-      files.push_back({{"name", row.step.files[i]}, {"state", to_string(row.states[i])}});
-    steps.push_back({{"step", row.step.name},
-                     {"title", row.step.title},
+      files.push_back({{"name", row.standing.step.files[i]}, {"state", to_string(row.states[i])}});
+    steps.push_back({{"step", row.standing.step.name},
+                     {"title", row.standing.step.title},
                      {"files", files},
-                     {"uses", row.step.uses},
-                     {"cases", row.cases},
-                     {"points", row.points},
+                     {"uses", row.standing.step.uses},
+                     {"cases", row.standing.cases},
+                     {"points", row.standing.max_score},
+                     {"standing", in_words(row.standing)},
                      {"built", {{"program", row.program}, {"mine", row.mine}, {"solution", row.solution}}}});
   }
   return {{"steps", steps}};
@@ -80,7 +76,9 @@ int run_list(const ListOptions& options) {
   const ProjectFolders folders = project_folders();
   const SkeletonRecord record = read_skeleton_record(folders.steps());
   std::vector<Row> rows;
-  for (const CourseStep& step : read_course(folders.step_flags())) rows.push_back(describe(folders, step, record));
+  for (const Standing& standing :
+       standings(folders, read_course(folders.step_flags()), read_progress(folders.progress())))
+    rows.push_back(describe(folders, standing, record));
   if (options.json)
     fmt::print("{}\n", to_json(rows).dump(2));
   else

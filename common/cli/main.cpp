@@ -53,6 +53,8 @@ struct AllOptions {
   CheckOptions check;
   RunOptions run;
   HintOptions hint;
+  ProgressOptions progress;
+  NextOptions next;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -86,6 +88,11 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   hint->add_option("case", options.hint.case_name, "A case; without one: the first that the last check did not pass");
   hint->add_option("--level", options.hint.level, "Show this level again, without counting it")
       ->check(CLI::Range(1, 3));
+
+  CLI::App* progress = interface.add("progress", "How far you are, step by step", options.progress, run_progress);
+  add_json(progress, options.progress.json);
+
+  interface.add("next", "The next step: its goal, its files and how to begin", options.next, run_next);
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "cli/progress_record.hpp"
-#include "judge/judged_case.hpp"
+#include "cli/standing.hpp"
 
 namespace atelier {
 namespace {
@@ -13,13 +12,8 @@ namespace fs = std::filesystem;
 
 /// Whether the last full check passed every case that the step has, with the files that are there now.
 bool has_passed(const ProjectFolders& folders, const CourseStep& step) {
-  const ProgressRecord record = read_progress(folders.progress());
-  const auto found = record.find(step.name);
-  if (found == record.end()) return false;
-  std::vector<std::string> cases;
-  for (const judge::JudgedCase& c : judge::read_case_file(folders.case_file(step.name)).cases)
-    cases.push_back(c.ask.name);
-  return has_passed(found->second, cases, digest_of_files(folders.steps() / step.name, step.files));
+  const Standing standing = standing_of(folders, step, read_progress(folders.progress()));
+  return standing.passed && !standing.changed;
 }
 
 bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner) {
