@@ -48,6 +48,12 @@ int run_progress(const ProgressOptions& options);
 struct NextOptions {};
 int run_next(const NextOptions& options);
 
+struct ResetOptions {
+  std::string file;    ///< as for find_student_file
+  bool force = false;  ///< without asking
+};
+int run_reset(const ResetOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

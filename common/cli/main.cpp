@@ -55,6 +55,7 @@ struct AllOptions {
   HintOptions hint;
   ProgressOptions progress;
   NextOptions next;
+  ResetOptions reset;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -93,6 +94,11 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   add_json(progress, options.progress.json);
 
   interface.add("next", "The next step: its goal, its files and how to begin", options.next, run_next);
+
+  CLI::App* reset = interface.add("reset", "Your file back to its skeleton; a copy is kept", options.reset, run_reset);
+  reset->add_option("file", options.reset.file, "One of your files: 02/blinn_phong.cpp, or blinn_phong.cpp")
+      ->required();
+  reset->add_flag("--force", options.reset.force, "Do not ask");
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {

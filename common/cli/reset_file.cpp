@@ -1,0 +1,99 @@
+#include "cli/reset_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "case/suggest.hpp"
+#include "cli/marked_text.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const CourseStep& step, const std::string& file) {
+  return std::find(step.files.begin(), step.files.end(), file) != step.files.end();
+}
+
+std::vector<std::string> files_of(const std::vector<CourseStep>& steps) {
+  std::vector<std::string> names;
+  for (const CourseStep& step : steps)
+    for (const std::string& file : step.files) names.push_back(step.name + "/" + file);
+  return names;
+}
+
+[[noreturn]] void refuse(const std::string& text, const std::vector<CourseStep>& steps) {
+  throw Error(fmt::format("{}: no file that a student writes; there are {}", text, join(files_of(steps))));
+}
+
+/// A name beside the file that nothing has yet.
+fs::path name_of_copy(const fs::path& file) {
+  fs::path copy = file.string() + ".before-reset";
+  for (int number = 2; fs::exists(fs::symlink_status(copy)); ++number)
+    copy = fmt::format("{}.before-reset-{}", file.string(), number);
+  return copy;
+}
+
+}  // namespace
+
+StudentFile find_student_file(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                              const std::string& text) {
+  fs::path path = fs::path(text).lexically_normal();
+  if (path.is_absolute()) path = path.lexically_relative(folders.root);
+  if (path.begin() != path.end() && *path.begin() == "steps") path = path.lexically_relative("steps");
+  const std::string name = path.filename().string();
+  const std::string folder = path.parent_path().string();
+
+  if (!folder.empty()) {
+    const CourseStep& step = resolve_step(course, folder);
+    if (!has(step, name)) refuse(text, {step});
+    return {step, name};
+  }
+  std::vector<CourseStep> owners;
+  for (const CourseStep& step : course)
+    if (has(step, name)) owners.push_back(step);
+  if (owners.empty()) refuse(text, course);
+  if (owners.size() > 1) {
+    std::vector<std::string> names;
+    for (const CourseStep& step : owners) names.push_back(step.name + "/" + name);
+    throw Error(fmt::format("{}: say which: {}", text, join(names, " or ")));
+  }
+  return {owners.front(), name};
+}
+
+std::string pristine_text(const ProjectFolders& folders, const StudentFile& file) {
+  for (const char* given : {".given", "skeletons"})
+    if (const fs::path path = folders.root / given / file.below_steps(); fs::is_regular_file(path))
+      return read_file(path);
+  const fs::path solution = folders.solutions() / file.below_steps();
+  if (fs::is_regular_file(solution))
+    return cut_skeleton(read_file(solution), "solutions/" + file.below_steps().string(), file.step.name);
+  throw Error(
+      fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); take the "
+                  "file from the course's archive once more",
+                  file.below_steps().string()));
+}
+
+bool is_pristine(const ProjectFolders& folders, const StudentFile& file) {
+  const fs::path path = folders.steps() / file.below_steps();
+  return fs::exists(path) && read_file(path) == pristine_text(folders, file);
+}
+
+Reset reset_file(const ProjectFolders& folders, const StudentFile& file) {
+  Reset reset;
+  if (is_pristine(folders, file)) return reset;
+  const std::string pristine = pristine_text(folders, file);
+  const fs::path path = folders.steps() / file.below_steps();
+  if (fs::exists(path)) {
+    reset.copy = name_of_copy(path);
+    write_file(reset.copy, read_file(path));
+  }
+  write_file(path, pristine);
+  reset.changed = true;
+  return reset;
+}
+
+}  // namespace atelier
