@@ -9,10 +9,11 @@
 #include <future>
 
 #include "base/error.hpp"
+#include "cli/after_pass.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/own_files.hpp"
-#include "cli/progress_record.hpp"
+#include "cli/standing.hpp"
 #include "grade/environment.hpp"
 #include "judge/preview.hpp"
 #include "judge/report_html.hpp"
@@ -127,7 +128,13 @@ int run_check(const CheckOptions& options) {
     write_reports(result, report);
     if (!options.json) fmt::print("Report: {}\n", (report / "report.html").string());
   }
-  return grade::all_passed(result.steps.front()) ? exit_ok : exit_failed;
+  const bool passed = grade::all_passed(result.steps.front());
+  if (counts_as_progress(options) && !options.json) {
+    const ProgressRecord record = read_progress(folders.progress());
+    fmt::print("{}", passed ? after_pass(folders, standings(folders, course, record), step.name)
+                            : fmt::format("Stuck? ./atelier hint {}\n", step.number()));
+  }
+  return passed ? exit_ok : exit_failed;
 }
 
 }  // namespace atelier

@@ -54,6 +54,12 @@ struct ResetOptions {
 };
 int run_reset(const ResetOptions& options);
 
+struct CompareOptions {
+  std::string step, function;  ///< without a function: all that have passed
+  bool spoil = false;          ///< those that have not passed, too
+};
+int run_compare(const CompareOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

@@ -56,6 +56,7 @@ struct AllOptions {
   ProgressOptions progress;
   NextOptions next;
   ResetOptions reset;
+  CompareOptions compare;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -99,6 +100,12 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   reset->add_option("file", options.reset.file, "One of your files: 02/blinn_phong.cpp, or blinn_phong.cpp")
       ->required();
   reset->add_flag("--force", options.reset.force, "Do not ask");
+
+  CLI::App* compare = interface.add("compare", "Your functions and the solution's, once they have passed",
+                                    options.compare, run_compare);
+  add_step(compare, options.compare.step);
+  compare->add_option("function", options.compare.function, "One of your functions; without one: all that have passed");
+  compare->add_flag("--spoil", options.compare.spoil, "Those that have not passed, too");
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {

@@ -26,7 +26,10 @@ bool looks_like_mark(std::string_view line) {
 
 class Cutter {
  public:
-  Cutter(const std::string& file, const std::string& step) : file_(file), step_(step) {}
+  enum class Keep { skeleton, solution };
+
+  Cutter(const std::string& file, const std::string& step, Keep keep = Keep::skeleton)
+      : file_(file), step_(step), keep_(keep) {}
 
   void take(std::string_view line) {
     ++number_;
@@ -43,7 +46,7 @@ class Cutter {
                          skeleton_mark, close_mark));
     else if (part_ == Part::skeleton)
       uncomment(indentation, text);
-    else if (part_ == Part::common)
+    else if (part_ == Part::common || keep_ == Keep::solution)
       append(line);
   }
 
@@ -64,7 +67,7 @@ class Cutter {
     part_ = Part::solution;
     opened_ = number_;
     ++tasks_;
-    append(fmt::format("{}// TODO({}): {}", indentation, step_, task));
+    if (keep_ == Keep::skeleton) append(fmt::format("{}// TODO({}): {}", indentation, step_, task));
   }
 
   void close() {
@@ -78,7 +81,7 @@ class Cutter {
           fmt::format("between '{}' and '{}' every line starts with '{}'", skeleton_mark, close_mark, skeleton_line));
     std::string_view code = text.substr(skeleton_line.size());
     if (code.starts_with(' ')) code.remove_prefix(1);
-    append(code.empty() ? std::string() : fmt::format("{}{}", indentation, code));
+    if (keep_ == Keep::skeleton) append(code.empty() ? std::string() : fmt::format("{}{}", indentation, code));
   }
 
   void append(std::string_view line) {
@@ -92,6 +95,7 @@ class Cutter {
 
   const std::string& file_;
   const std::string& step_;
+  const Keep keep_;
   std::string out_;
   Part part_ = Part::common;
   int number_ = 0, opened_ = 0, tasks_ = 0;
@@ -110,6 +114,13 @@ void feed(Cutter& cutter, std::string_view text) {
 
 std::string cut_skeleton(std::string_view marked, const std::string& file, const std::string& step) {
   Cutter cutter(file, step);
+  feed(cutter, marked);
+  return cutter.finish();
+}
+
+std::string finished_text(std::string_view marked, const std::string& file) {
+  const std::string no_step;
+  Cutter cutter(file, no_step, Cutter::Keep::solution);
   feed(cutter, marked);
   return cutter.finish();
 }

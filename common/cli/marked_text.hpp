@@ -29,6 +29,9 @@ namespace atelier {
 /// for a skeleton line that is no "// |" comment; and for a line that looks like a mark and is none.
 std::string cut_skeleton(std::string_view marked, const std::string& file, const std::string& step);
 
+/// The finished text without its marks and without the skeleton's lines. Throws as cut_skeleton does.
+std::string finished_text(std::string_view marked, const std::string& file);
+
 /// The number of blocks that a student is to write: 0 for a text without marks. Throws as cut_skeleton does.
 int count_tasks(std::string_view marked, const std::string& file);
 

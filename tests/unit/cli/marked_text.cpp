@@ -54,6 +54,12 @@ TEST_CASE("broken marks are refused with their line") {
   }
 }
 
+TEST_CASE("the finished text has neither marks nor the skeleton's lines") {
+  CHECK(finished_text("{\n  // >>> student: add\n  a + b;\n  // --- skeleton\n  // | a;\n  // <<< student\n}\n",
+                      "x.cpp") == "{\n  a + b;\n}\n");
+  CHECK(finished_text("int a;\n", "x.cpp") == "int a;\n");
+}
+
 TEST_CASE("tasks are counted") {
   CHECK(count_tasks("int a;\n", "x.cpp") == 0);
   CHECK(count_tasks("// >>> student: s\n// <<< student\n// >>> student: t\n// <<< student\n", "x.cpp") == 2);

@@ -1,0 +1,19 @@
+// Finds a function in a student's file, C++ or GLSL, without compiling it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace atelier {
+
+struct FunctionText {
+  int line = 1;      ///< where it begins, from 1
+  std::string text;  ///< whole lines, from its return type to the closing brace
+};
+
+/// The first definition of `name`: NAME(...) {...}, the parameters and the body found by their brackets. Comments,
+/// strings and characters are passed over. Nothing where there is none, or where a bracket is not closed.
+std::optional<FunctionText> find_function(std::string_view text, std::string_view name);
+
+}  // namespace atelier
