@@ -19,7 +19,7 @@ int run_list(const ListOptions& options);
 struct CheckOptions {
   std::string step;
   std::vector<std::string> cases;  ///< only these; empty: all
-  std::string context = "osmesa";  ///< or "egl"
+  std::string context;             ///< "osmesa", "egl", "window", or empty: the first of them that is there
   std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
   std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
   std::filesystem::path sources;   ///< where the own NN-name/ folders are; empty: steps/
@@ -65,7 +65,7 @@ struct GradeOptions {
   std::filesystem::path out;         ///< empty: out/grade/NAME
   std::vector<std::string> steps;    ///< asked for even where they are absent; empty: those that are there
   int workers = 2;
-  std::string context = "osmesa";
+  std::string context;
   std::optional<std::uint64_t> shuffle;
   bool json = false;
 };

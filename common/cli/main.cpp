@@ -38,9 +38,8 @@ void add_json(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print for programs");
 }
 void add_context(CLI::App* command, std::string& context) {
-  command->add_option("--context", context, "Where OpenGL comes from")
-      ->check(CLI::IsMember({"osmesa", "egl"}))
-      ->capture_default_str();
+  command->add_option("--context", context, "Where OpenGL comes from; without it: OSMesa, or EGL where that is missing")
+      ->check(CLI::IsMember({"osmesa", "egl", "window"}));
 }
 void add_earlier(CLI::App* command, std::string& earlier) {
   command

@@ -182,7 +182,7 @@ int run_reference(const ReferenceOptions& options) {
   if (!options.cases.empty() && options.steps.size() != 1)
     throw Error(
         "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
-  const judge::Environment environment = grade::describe_environment("osmesa", folders.step_flags(), folders.root);
+  const judge::Environment environment = grade::describe_environment("", folders.step_flags(), folders.root);
   std::vector<Row> rows;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {
     const auto more = make_step(folders, step, options, environment);

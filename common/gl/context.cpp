@@ -1,5 +1,7 @@
 #include "gl/context.hpp"
 
+#include <cstdlib>
+
 #include "base/error.hpp"
 #include "gl/context_kinds.hpp"
 
@@ -7,6 +9,12 @@ namespace atelier {
 namespace {
 
 thread_local bool thread_has_context = false;
+
+/// Mesa's EGL would rather take a GPU.
+std::unique_ptr<HeadlessContext> make_software_egl_context() {
+  ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 0);
+  return make_egl_context();
+}
 
 }  // namespace
 
@@ -32,15 +40,15 @@ std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind) {
 }
 
 std::unique_ptr<HeadlessContext> make_headless_context() {
-  try {
-    return make_osmesa_context();
-  } catch (const Error& without_osmesa) {
+  std::string reasons;
+  for (const auto make : {make_osmesa_context, make_software_egl_context, make_window_context}) {
     try {
-      return make_egl_context();
-    } catch (const Error& without_egl) {
-      throw Error(std::string(without_osmesa.what()) + "; and " + without_egl.what());
+      return make();
+    } catch (const Error& error) {
+      reasons += (reasons.empty() ? "" : "; and ") + std::string(error.what());
     }
   }
+  throw Error(reasons);
 }
 
 std::string to_string(ContextKind kind) {

@@ -26,7 +26,9 @@ class HeadlessContext {
 /// Throws Error where the library or the driver is missing, saying which package brings it.
 std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind);
 
-/// OSMesa where it is installed, EGL otherwise.
+/// OSMesa where it is installed; otherwise EGL, by its software driver where it has one, so that the same pictures come
+/// out with a GPU and without (the variable LIBGL_ALWAYS_SOFTWARE is set unless it is there); otherwise a hidden
+/// window, for systems that have neither. Throws Error with the reason of each where there is none.
 std::unique_ptr<HeadlessContext> make_headless_context();
 
 std::string to_string(ContextKind kind);

@@ -58,25 +58,31 @@ std::string gl_string(Gl& gl, GLenum name) {
   return text ? printable(text) : "unknown";
 }
 
+struct Drawing {
+  std::string context, driver;
+};
+
+Drawing describe_drawing(const std::string& context) {
+  try {
+    const auto made = context.empty() ? make_headless_context() : make_headless_context(parse_context_kind(context));
+    return {to_string(made->kind()),
+            fmt::format("OpenGL {}, {}", gl_string(made->gl(), GL_VERSION), gl_string(made->gl(), GL_RENDERER))};
+  } catch (const Error& error) {
+    return {context, std::string("none: ") + error.what()};
+  }
+}
+
 }  // namespace
 
 std::string describe_driver(const std::string& context) {
-  try {
-    const auto headless = make_headless_context(parse_context_kind(context));
-    return fmt::format("OpenGL {}, {}", gl_string(headless->gl(), GL_VERSION), gl_string(headless->gl(), GL_RENDERER));
-  } catch (const Error& error) {
-    return std::string("none: ") + error.what();
-  }
+  return describe_drawing(context).driver;
 }
 
 judge::Environment describe_environment(const std::string& context, const fs::path& step_flags,
                                         const fs::path& project) {
-  return {{"driver", describe_driver(context)},
-          {"context", context},
-          {"compiler", describe_compiler(step_flags)},
-          {"cpu", describe_cpu()},
-          {"system", describe_system()},
-          {"atelier", describe_version(project)}};
+  const Drawing drawing = describe_drawing(context);
+  return {{"driver", drawing.driver}, {"context", drawing.context},  {"compiler", describe_compiler(step_flags)},
+          {"cpu", describe_cpu()},    {"system", describe_system()}, {"atelier", describe_version(project)}};
 }
 
 }  // namespace atelier::grade

@@ -9,12 +9,12 @@
 namespace atelier::grade {
 
 /// "driver" (OpenGL's own words), "context", "compiler", "cpu", "system", "atelier" (version, and commit where the
-/// project is a git checkout). A context of the kind is made for it, which takes some 15 ms: ask after the verdict.
-/// Where there is none the driver is "none: WHY", because a result must say even that.
+/// project is a git checkout). A context of the kind (empty: the default) is made for it, which takes some 15 ms: ask
+/// after the verdict. Where there is none the driver is "none: WHY", because a result must say even that.
 judge::Environment describe_environment(const std::string& context, const std::filesystem::path& step_flags,
                                         const std::filesystem::path& project);
 
-/// "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)"
+/// "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)", or "none: WHY"
 std::string describe_driver(const std::string& context);
 
 }  // namespace atelier::grade

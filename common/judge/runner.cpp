@@ -47,8 +47,10 @@ void check(const RunSettings& settings, const std::vector<Case>& cases) {
   in_range("time limit of a case in milliseconds", settings.case_limit.count(), 1, 86'400'000);
   in_range("time limit of the start in milliseconds", settings.start_limit.count(), 1, 86'400'000);
   in_range("time-outs", settings.most_time_outs, 0, 1'000'000);
-  if (settings.context != "osmesa" && settings.context != "egl")
-    throw Error(fmt::format("context: '{}' is not allowed; it takes osmesa, egl", settings.context));
+  constexpr const char* kinds[] = {"", "osmesa", "egl", "window"};
+  if (std::find(std::begin(kinds), std::end(kinds), settings.context) == std::end(kinds))
+    throw Error(
+        fmt::format("context: '{}' is not allowed; it takes osmesa, egl, window, or nothing", settings.context));
   std::set<std::string> names;
   for (const Case& c : cases)
     if (!names.insert(c.name).second) throw Error(fmt::format("case '{}' is there twice", c.name));
@@ -166,11 +168,17 @@ void Share::start() {
   for (const std::size_t index : waiting_) asks.push_back(to_json(cases_[index]));
   write_file(job, nlohmann::json{{"cases", asks}}.dump(1) + "\n");
 
-  worker_ = std::make_unique<Worker>(
-      std::vector<std::string>{settings_.program.string(), "--cases", job.string(), "--out", out.string(),
-                               "--implementations", settings_.implementations.to_string(), "--context",
-                               settings_.context, "--progress", std::to_string(progress_descriptor)},
-      program_environment(settings_));
+  std::vector<std::string> arguments = {settings_.program.string(),
+                                        "--cases",
+                                        job.string(),
+                                        "--out",
+                                        out.string(),
+                                        "--implementations",
+                                        settings_.implementations.to_string(),
+                                        "--progress",
+                                        std::to_string(progress_descriptor)};
+  if (!settings_.context.empty()) arguments.insert(arguments.end(), {"--context", settings_.context});
+  worker_ = std::make_unique<Worker>(arguments, program_environment(settings_));
   begun_ = false;
   output_.clear();
   tail_.clear();

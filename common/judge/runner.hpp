@@ -1,6 +1,6 @@
 // Asks a step program for its cases, and comes back with an answer for each, whatever the program does.
 //
-//   PROGRAM --cases JOB --out DIR --implementations A:B --context KIND --progress 3
+//   PROGRAM --cases JOB --out DIR --implementations A:B [--context KIND] --progress 3
 //
 // JOB holds what is asked, never what is thought of the answer. On the progress pipe the program writes "begin NAME"
 // before a case and "end NAME" behind it; its answers are files in DIR (case/exchange.hpp). One process answers all
@@ -29,7 +29,7 @@ namespace atelier::judge {
 struct RunSettings {
   std::filesystem::path program;  ///< BIN/NN-name
   Implementations implementations;
-  std::string context = "osmesa";        ///< or "egl"
+  std::string context;                   ///< "osmesa", "egl" or "window"; empty: what make_headless_context() takes
   int workers = 2;                       ///< processes at a time, 1..64; no more than there are cases are started
   std::optional<std::uint64_t> shuffle;  ///< a seed: ask in an order drawn from it, not as listed
   std::chrono::milliseconds case_limit{10'000};   ///< wall clock of one case; then the program is killed

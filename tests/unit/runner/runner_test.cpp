@@ -361,7 +361,7 @@ TEST_CASE("runs that make no sense are refused in words") {
       {"negative threads", [](RunSettings& s) { s.driver_threads = -1; }, "0..32"},
       {"no time", [](RunSettings& s) { s.case_limit = 0ms; }, "time limit of a case"},
       {"no time to start", [](RunSettings& s) { s.start_limit = -1ms; }, "time limit of the start"},
-      {"unknown context", [](RunSettings& s) { s.context = "vulkan"; }, "osmesa, egl"},
+      {"unknown context", [](RunSettings& s) { s.context = "vulkan"; }, "osmesa, egl, window"},
       {"missing program", [](RunSettings& s) { s.program = "/nowhere/01-none"; }, "/nowhere/01-none"},
       {"a folder as program", [](RunSettings& s) { s.program = "/tmp"; }, "/tmp"},
       {"a cache in a file", [](RunSettings& s) { s.shader_cache = "/dev/null/cache"; }, "/dev/null/cache"},
