@@ -60,6 +60,14 @@ struct CompareOptions {
 };
 int run_compare(const CompareOptions& options);
 
+struct DoctorOptions {
+  bool json = false;
+  std::string found;    ///< what the launcher has found out (cli/doctor.hpp: parse_findings)
+  std::string install;  ///< the system's command for installing packages; empty: unknown
+  std::string context;  ///< only make this context and tell of it: how doctor tries one in a program of its own
+};
+int run_doctor(const DoctorOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

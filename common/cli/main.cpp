@@ -56,6 +56,7 @@ struct AllOptions {
   NextOptions next;
   ResetOptions reset;
   CompareOptions compare;
+  DoctorOptions doctor;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -105,6 +106,13 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   add_step(compare, options.compare.step);
   compare->add_option("function", options.compare.function, "One of your functions; without one: all that have passed");
   compare->add_flag("--spoil", options.compare.spoil, "Those that have not passed, too");
+
+  CLI::App* doctor =
+      interface.add("doctor", "What this machine has, what it lacks, and what mends it", options.doctor, run_doctor);
+  add_json(doctor, options.doctor.json);
+  doctor->add_option("--found", options.doctor.found)->group("");  // these are the launcher's, and doctor's own
+  doctor->add_option("--install", options.doctor.install)->group("");
+  doctor->add_option("--try", options.doctor.context)->group("");
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {

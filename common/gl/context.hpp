@@ -31,6 +31,10 @@ std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind);
 /// window, for systems that have neither. Throws Error with the reason of each where there is none.
 std::unique_ptr<HeadlessContext> make_headless_context();
 
+/// Of the hidden window whose context is current: pixels of its screen for a unit of design, 1 on a plain screen and
+/// 2 on a fine one. Throws Error where no window's context is current.
+float window_content_scale();
+
 std::string to_string(ContextKind kind);
 /// Throws Error naming the three kinds.
 ContextKind parse_context_kind(const std::string& text);

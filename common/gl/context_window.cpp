@@ -11,4 +11,10 @@ std::unique_ptr<HeadlessContext> make_window_context() {
   return std::unique_ptr<HeadlessContext>(make());
 }
 
+float window_content_scale() {
+  const auto scale =
+      reinterpret_cast<float (*)()>(module_symbol("atelier-window-context", "atelier_window_content_scale"));
+  return scale();
+}
+
 }  // namespace atelier

@@ -68,3 +68,11 @@ class WindowContext : public HeadlessContext {
 extern "C" atelier::HeadlessContext* atelier_make_window_context() {
   return new atelier::WindowContext;
 }
+
+extern "C" float atelier_window_content_scale() {
+  GLFWwindow* const window = glfwGetCurrentContext();
+  if (!window) throw atelier::Error("no window's context is current, so there is no screen whose scale could be told");
+  float horizontal = 1, vertical = 1;
+  glfwGetWindowContentScale(window, &horizontal, &vertical);
+  return horizontal;
+}

@@ -107,10 +107,18 @@ TEST_CASE("Without a display a window's context says how to get on") {
   CHECK(error_of([] { make_headless_context(); }).empty());  // the failed one has not kept the thread
 }
 
+TEST_CASE("No scale is told where no window's context is current") {
+  CHECK(mentions(error_of([] { window_content_scale(); }), {"no window's context"}));
+  const auto context = make_headless_context();
+  if (context->kind() != ContextKind::window)
+    CHECK(mentions(error_of([] { window_content_scale(); }), {"no window's context"}));
+}
+
 TEST_CASE("With a display a hidden window draws like the others") {
   if (!std::getenv("DISPLAY")) SKIP_TEST("no display: run under xvfb-run to try a window's context");
   const auto context = make_headless_context(ContextKind::window);
   CHECK(context->kind() == ContextKind::window);
+  CHECK(window_content_scale() > 0);
   CHECK(context->gl().version() >= 33);
   const Target target(context->gl(), {.width = 3, .height = 2});
   target.bind(context->gl());

@@ -1,0 +1,97 @@
+// The launcher where nothing is installed: `doctor` says what lacks, and does nothing about it.
+#include <algorithm>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "command.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A machine on which there is nothing but bash and what every system has.
+class BareMachine {
+ public:
+  BareMachine() {
+    fs::create_directory(folder_.path() / "bin");
+    for (const char* tool : {"dirname", "readlink", "uname", "sort", "head", "cat"}) {
+      const Finished found = run_process({.arguments = {"sh", "-c", std::string("command -v ") + tool}});
+      REQUIRE(found.ok());
+      fs::create_symlink(found.output.substr(0, found.output.find('\n')), folder_.path() / "bin" / tool);
+    }
+  }
+  fs::path build() const { return folder_.path() / "build"; }
+  fs::path bin() const { return folder_.path() / "bin"; }
+
+  Finished launch(std::vector<std::string> arguments) const {
+    const Finished bash = run_process({.arguments = {"sh", "-c", "command -v bash"}});
+    arguments.insert(arguments.begin(),
+                     {bash.output.substr(0, bash.output.find('\n')), (folders().root / "atelier").string()});
+    return run_process(
+        {.arguments = arguments, .environment = {{{"PATH", bin().string()}, {"ATELIER_BUILD", build().string()}}}});
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+}  // namespace
+
+TEST_CASE("doctor names what lacks on a bare machine, and installs and builds nothing", "[launcher]") {
+  const BareMachine machine;
+  const Finished finished = machine.launch({"doctor"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 1);
+  CHECK(mentions(finished.output, {"✗ compiler", "✗ cmake", "✗ ninja", "✗ build", "not built yet in",
+                                   machine.build().string(), "mend it: ./atelier list", "Something that is needed"}));
+  CHECK_FALSE(fs::exists(machine.build()));
+}
+
+TEST_CASE("doctor's JSON is whole without a build", "[launcher]") {
+  const Finished finished = BareMachine().launch({"doctor", "--json"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 1);
+  const auto json = nlohmann::json::parse(finished.output);
+  CHECK(json["ok"] == false);
+  CHECK(json["findings"].size() >= 5);
+  CHECK(json["findings"].back()["subject"] == "build");
+  CHECK(json["findings"].back()["mend"] == "./atelier list");
+}
+
+TEST_CASE("doctor refuses what it does not know, and explains itself, on a bare machine too", "[launcher]") {
+  const BareMachine machine;
+  const Finished refused = machine.launch({"doctor", "--jsno"});
+  CHECK(refused.exit_status == 2);
+  CHECK(mentions(refused.output, {"error: ", "--jsno", "--json"}));
+  const Finished help = machine.launch({"doctor", "--help"});
+  CHECK(help.exit_status == 0);
+  CHECK(mentions(help.output, {"Exit status"}));
+}
+
+TEST_CASE("doctor says that a program which does not start must be built again", "[launcher]") {
+  const BareMachine machine;
+  const fs::path program = machine.build() / "bin" / "atelier";
+  write_file(program, std::string_view("#!/bin/sh\necho 'libfmt.so.9: cannot open shared object file'\nexit 127\n"));
+  fs::permissions(program, fs::perms::owner_all);
+  const Finished finished = machine.launch({"doctor"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 1);
+  CHECK(mentions(finished.output, {"does not start", "libfmt.so.9", "rm -r '" + machine.build().string() + "'"}));
+}
+
+TEST_CASE("doctor with a build tells of contexts and steps", "[launcher]") {
+  const Finished finished = run_atelier({"doctor", "--found", "lack\tninja\tnot found\tget it\n", "--json"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 1);  // what the launcher lacks counts
+  const auto json = nlohmann::json::parse(finished.output);
+  std::vector<std::string> subjects;
+  for (const auto& finding : json["findings"]) subjects.push_back(finding["subject"]);
+  CHECK(subjects.front() == "ninja");
+  for (const char* subject : {"display", "osmesa", "egl", "window", "judge", "watching", "sandbox", "steps"}) {
+    INFO(subject);
+    CHECK(std::find(subjects.begin(), subjects.end(), subject) != subjects.end());
+  }
+}
