@@ -1,9 +1,8 @@
 // ./atelier compare: a student's functions and the solution's, one under the other, once they have passed.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
-#include <set>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -34,23 +33,24 @@ std::map<std::string, bool> functions_of(const judge::CaseFile& cases, const Ste
   return functions;
 }
 
-void print_one(const std::string& whose, const fs::path& file, const std::string& text, const std::string& function) {
-  const auto found = find_function(text, function);
-  if (!found) {
-    fmt::print("--- {}: {} was not found\n\n", whose, file.string());
-    return;
-  }
-  fmt::print("--- {}: {}:{}\n{}\n", whose, file.string(), found->line, printable(found->text, Layout::keep_lines));
+void print_one(const std::string& whose, const fs::path& file, const std::optional<FunctionText>& found) {
+  if (found)
+    fmt::print("--- {}: {}:{}\n{}\n", whose, file.string(), found->line, printable(found->text, Layout::keep_lines));
+  else
+    fmt::print("--- {}: {} has no such function\n\n", whose, file.string());
 }
 
 /// A function may stand in a C++ file and in a shader.
 void print_both(const ProjectFolders& folders, const CourseStep& step, const std::string& function) {
   for (const std::string& file : step.files) {
     const fs::path mine = fs::path("steps") / step.name / file, theirs = fs::path("solutions") / step.name / file;
-    const std::string solution = finished_text(read_file(folders.root / theirs), theirs.string());
-    if (!find_function(solution, function)) continue;
-    print_one("yours", mine, fs::exists(folders.root / mine) ? read_file(folders.root / mine) : "", function);
-    print_one("solution", theirs, solution, function);
+    const std::string marked = read_file(folders.root / theirs);
+    auto solution = find_function(finished_text(marked, theirs.string()), function);
+    if (!solution) continue;
+    solution->line = find_function(marked, function).value_or(*solution).line;  // the marks count there
+    print_one("yours", mine,
+              find_function(fs::exists(folders.root / mine) ? read_file(folders.root / mine) : "", function));
+    print_one("solution", theirs, solution);
   }
 }
 
