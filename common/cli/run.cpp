@@ -20,6 +20,7 @@ int run_run(const RunOptions& options) {
   const OwnFiles own = prepare_own_files(folders, course, step, code_of(folders, Owner::mine), options.earlier);
   if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
   if (!own.built.log.empty()) fmt::print(stderr, "{}", own.built.log);  // warnings
+  for (const auto& [name, owner] : own.earlier) fmt::print(stderr, "with {}: {}\n", name, to_string(owner));
 
   std::vector<std::string> arguments = {folders.program(step.name).string(), "--implementations", own.path.to_string()};
   arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
