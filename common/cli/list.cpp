@@ -1,4 +1,4 @@
-// ./atelier list: the steps of the course, and how far this copy of it is.
+// ./atelier list: the steps of the course, how far the student is, and what of it is built.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
