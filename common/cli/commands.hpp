@@ -27,6 +27,13 @@ struct CheckOptions {
 };
 int run_check(const CheckOptions& options);
 
+struct WatchOptions {
+  std::string step;     ///< empty: the first that has not passed
+  std::string context;  ///< "osmesa", "egl", "window", or empty: the first of them that is there
+  std::string earlier;  ///< as for check
+};
+int run_watch(const WatchOptions& options);
+
 struct RunOptions {
   std::string step;
   std::vector<std::string> arguments;  ///< for the step's program

@@ -49,7 +49,7 @@ void print_both(const ProjectFolders& folders, const CourseStep& step, const std
     if (!solution) continue;
     solution->line = find_function(marked, function).value_or(*solution).line;  // the marks count there
     print_one("yours", mine,
-              find_function(fs::exists(folders.root / mine) ? read_file(folders.root / mine) : "", function));
+              find_function(fs::exists(folders.own() / mine) ? read_file(folders.own() / mine) : "", function));
     print_one("solution", theirs, solution);
   }
 }

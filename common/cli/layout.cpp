@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -45,7 +46,13 @@ int match(const CourseStep& step, const std::string& text) {
 }  // namespace
 
 ProjectFolders project_folders() {
-  return {.root = ATELIER_ROOT, .build = ATELIER_BUILD};
+  ProjectFolders folders{.root = ATELIER_ROOT, .build = ATELIER_BUILD};
+  if (const char* work = std::getenv("ATELIER_WORK"); work && *work) {
+    folders.work = fs::absolute(work);
+    if (!fs::is_directory(folders.steps()))
+      throw Error(fmt::format("ATELIER_WORK is '{}', and there is no folder steps in it", work));
+  }
+  return folders;
 }
 
 std::vector<CourseStep> read_course(const fs::path& step_flags) {

@@ -21,15 +21,19 @@ struct CourseStep {
 struct ProjectFolders {
   std::filesystem::path root;   ///< where ./atelier lies
   std::filesystem::path build;  ///< build/release, or what ATELIER_BUILD says
+  /// Whose work it is: steps/, out/ and progress.json lie here. Empty: the root. The variable ATELIER_WORK names another
+  /// folder, for several students with one copy of the project.
+  std::filesystem::path work{};
 
-  std::filesystem::path steps() const { return root / "steps"; }
+  const std::filesystem::path& own() const { return work.empty() ? root : work; }
+  std::filesystem::path steps() const { return own() / "steps"; }
   std::filesystem::path solutions() const { return root / "solutions"; }
   std::filesystem::path cases() const { return root / "tests" / "cases"; }
   std::filesystem::path mistakes() const { return root / "tests" / "mistakes"; }
   std::filesystem::path variants() const { return root / "tests" / "variants"; }
   std::filesystem::path handouts() const { return root / "handouts"; }
-  std::filesystem::path out() const { return root / "out"; }
-  std::filesystem::path progress() const { return root / "progress.json"; }  ///< see cli/progress_record.hpp
+  std::filesystem::path out() const { return own() / "out"; }
+  std::filesystem::path progress() const { return own() / "progress.json"; }  ///< see cli/progress_record.hpp
 
   std::filesystem::path case_file(const std::string& step) const { return cases() / step / "cases.json"; }
   std::filesystem::path hints_file(const std::string& step) const { return cases() / step / "hints.json"; }
@@ -45,7 +49,7 @@ struct ProjectFolders {
   std::filesystem::path shader_cache() const { return build / "cache" / "shaders"; }
 };
 
-/// The folders that this program was built for.
+/// The folders that this program was built for. Throws Error where ATELIER_WORK names a folder without steps/.
 ProjectFolders project_folders();
 
 /// The steps of a step_flags.json (written by CMake), by name. Throws Error naming the file and the member.

@@ -50,6 +50,7 @@ void add_earlier(CLI::App* command, std::string& earlier) {
 struct AllOptions {
   ListOptions list;
   CheckOptions check;
+  WatchOptions watch;
   RunOptions run;
   HintOptions hint;
   ProgressOptions progress;
@@ -80,6 +81,11 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   check->add_flag("--heatmap", options.check.heatmap, "Show where a picture differs, in letters");
   check->add_flag("--skip-report", options.check.skip_report, "Print the verdict and write nothing");
   add_json(check, options.check.json);
+
+  CLI::App* watch = interface.add("watch", "At every save a verdict, and one thing to mend", options.watch, run_watch);
+  watch->add_option("step", options.watch.step, "A step; without one: the first that has not passed");
+  add_context(watch, options.watch.context);
+  add_earlier(watch, options.watch.earlier);
 
   CLI::App* run = interface.add("run", "Build your own files of a step and open its program", options.run, run_run);
   add_earlier(run, options.run.earlier);

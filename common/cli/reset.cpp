@@ -42,7 +42,7 @@ int run_reset(const ResetOptions& options) {
     fmt::print("steps/{} is the skeleton again.\n", name);
   else
     fmt::print("steps/{} is the skeleton again; yours is kept in {}\n", name,
-               reset.copy.lexically_relative(folders.root).string());
+               reset.copy.lexically_relative(folders.own()).string());
   return exit_ok;
 }
 

@@ -42,7 +42,7 @@ fs::path name_of_copy(const fs::path& file) {
 StudentFile find_student_file(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                               const std::string& text) {
   fs::path path = fs::path(text).lexically_normal();
-  if (path.is_absolute()) path = path.lexically_relative(folders.root);
+  if (path.is_absolute()) path = path.lexically_relative(folders.own());
   if (path.begin() != path.end() && *path.begin() == "steps") path = path.lexically_relative("steps");
   const std::string name = path.filename().string();
   const std::string folder = path.parent_path().string();

@@ -93,8 +93,9 @@ std::string step_table(const StepResult& step, const TerminalStyle& style) {
     if (group.size() == 1) name_width = std::clamp(columns(printable(group.front()->name)), name_width, 32);
     score_width = std::max(score_width, int(group_score(group).size()));
   }
+  const std::string score = step.max_score > 0 ? score_text(step.score, step.max_score) : "no points in this step";
   std::string text = painted(printable(step.step), bold, style) + "  " + printable(step.title) + "  " +
-                     painted(score_text(step.score, step.max_score), bold, style) + "\n";
+                     painted(score, bold, style) + "\n";
   for (const auto& [of_step, who] : step.implementations) {
     text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
   }

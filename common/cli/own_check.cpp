@@ -1,0 +1,88 @@
+#include "cli/own_check.hpp"
+
+#include <future>
+
+#include "cli/own_files.hpp"
+#include "cli/progress_record.hpp"
+#include "judge/preview.hpp"
+#include "judge/report_html.hpp"
+#include "judge/report_json.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart.
+grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
+  if (options.sources.empty()) return code_of(folders, Owner::mine);
+  return {.sources = fs::absolute(options.sources), .libraries = folders.implementations() / "elsewhere"};
+}
+
+/// The picture that an editor shows: the first one that fails, or the first one.
+const judge::Evidence* picture_to_show(const judge::StepResult& result) {
+  const judge::Evidence* first = nullptr;
+  for (const judge::CaseResult& c : result.cases) {
+    if (!c.evidence) continue;
+    if (c.status != judge::Status::passed) return &*c.evidence;
+    if (first == nullptr) first = &*c.evidence;
+  }
+  return first;
+}
+
+}  // namespace
+
+OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course, CourseStep step,
+                   OwnCheckOptions options)
+    : folders_(folders),
+      course_(std::move(course)),
+      step_(std::move(step)),
+      options_(std::move(options)),
+      judge_({.cases = folders.case_file(step_.name),
+              .mistakes = folders.mistakes_file(step_.name),
+              .reference_cache = folders.reference_cache()},
+             options_.cases) {
+  read_progress(folders_.progress());  // a broken record is better heard of before the work than after
+}
+
+judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
+  judged_files_ = digest_of_files(folders_.steps() / step_.name, step_.files);
+  std::future<void> references = std::async(std::launch::async, [&] { judge_.require_references(); });
+  const OwnFiles own = prepare_own_files(folders_, course_, step_, own_code(folders_, options_), options_.earlier);
+  references.get();
+
+  judge::RunSettings settings;
+  settings.program = folders_.program(step_.name);
+  settings.implementations = own.path;
+  settings.context = options_.context;
+  settings.shader_cache = folders_.shader_cache();
+  settings.interrupted = interrupted;
+  judge::StepResult result =
+      own.built.ok ? judge_.judge(settings, judge::KeepEvidence::always) : judge_.judge_unbuilt(own.built);
+  if (own.built.not_taken.empty()) result.build_log = own.built.log;
+  result.implementations = in_words(own.earlier, step_.name, "yours");
+  return result;
+}
+
+void OwnCheck::record(const judge::StepResult& result) const {
+  if (!counts_as_progress()) return;
+  if (digest_of_files(folders_.steps() / step_.name, step_.files) != judged_files_) return;
+  ProgressRecord progress = read_progress(folders_.progress());
+  record_check(progress, result, judged_files_);
+  write_progress(folders_.progress(), progress);
+}
+
+fs::path own_report_folder(const ProjectFolders& folders, const std::string& step) {
+  return folders.out() / "check" / step;
+}
+
+void write_own_report(judge::SubmissionResult& result, const fs::path& folder) {
+  if (const judge::Evidence* evidence = picture_to_show(result.steps.front()))
+    judge::write_preview(folder / "preview.png", *evidence);
+  for (judge::CaseResult& c : result.steps.front().cases)
+    if (c.status != judge::Status::passed) judge::draw_flip(c);
+  judge::write_results_json(folder / "results.json", result);
+  judge::write_html_report(folder / "report.html", result);
+}
+
+}  // namespace atelier
