@@ -31,7 +31,7 @@ CaseFile read_selected(const fs::path& path, const std::vector<std::string>& onl
 }
 
 std::vector<judge::Mistake> mistakes_of(const fs::path& path) {
-  return fs::exists(path) ? judge::read_mistakes(path) : std::vector<judge::Mistake>{};
+  return fs::exists(path) ? judge::read_mistakes(path, judge::Patches::optional) : std::vector<judge::Mistake>{};
 }
 
 /// "blinn_phong.cpp:12:3: error: ..." out of a compiler's log: the first line that says what is wrong.

@@ -28,9 +28,9 @@ fs::path patch_beside(const fs::path& list, const Json& value, const std::string
 }
 
 /// Makes an `Item` of every object in the list by `read(item, object, where)`, after what all items share: known
-/// members only, a name that no other has, a title and a patch.
+/// members only, a name that no other has, a title and, unless it is optional, a patch.
 template <class Item, class Read>
-std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>& members, Read read) {
+std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>& members, Patches patches, Read read) {
   const Json list = strict_json::parse(read_file(file, 1 << 20), file.string());
   if (!list.is_array() || list.empty()) throw Error(file.string() + ": must be a list with at least one entry");
 
@@ -45,7 +45,8 @@ std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>
       throw Error(fmt::format("{}: name: '{}' stands twice in the list; each name must be its own", entry, item.name));
     const std::string where = fmt::format("{}: '{}'", file.string(), item.name);
     item.title = strict_json::text(strict_json::required(list[i], "title", where), where + ": title");
-    item.patch = patch_beside(file, strict_json::required(list[i], "patch", where), where + ": patch");
+    if (patches == Patches::needed || list[i].contains("patch"))
+      item.patch = patch_beside(file, strict_json::required(list[i], "patch", where), where + ": patch");
     read(item, list[i], where);
     items.push_back(std::move(item));
   }
@@ -74,18 +75,20 @@ std::string run_patch(const fs::path& patch, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<Mistake> read_mistakes(const fs::path& file) {
+std::vector<Mistake> read_mistakes(const fs::path& file, Patches patches) {
   const std::vector<std::string> members{"name", "title", "sentence", "hint", "patch", "spelling"};
-  return read_list<Mistake>(file, members, [&](Mistake& mistake, const Json& object, const std::string& where) {
-    mistake.sentence = strict_json::text(strict_json::required(object, "sentence", where), where + ": sentence");
-    mistake.hint = strict_json::text(strict_json::required(object, "hint", where), where + ": hint");
-    if (const Json* spelling = strict_json::optional(object, "spelling"))
-      mistake.spelling = patch_beside(file, *spelling, where + ": spelling");
-  });
+  return read_list<Mistake>(
+      file, members, patches, [&](Mistake& mistake, const Json& object, const std::string& where) {
+        mistake.sentence = strict_json::text(strict_json::required(object, "sentence", where), where + ": sentence");
+        mistake.hint = strict_json::text(strict_json::required(object, "hint", where), where + ": hint");
+        if (const Json* spelling = strict_json::optional(object, "spelling"))
+          mistake.spelling = patch_beside(file, *spelling, where + ": spelling");
+      });
 }
 
 std::vector<Variant> read_variants(const fs::path& file) {
-  return read_list<Variant>(file, {"name", "title", "patch"}, [](Variant&, const Json&, const std::string&) {});
+  return read_list<Variant>(file, {"name", "title", "patch"}, Patches::needed,
+                            [](Variant&, const Json&, const std::string&) {});
 }
 
 void make_patched(const fs::path& solution, const fs::path& patch, const fs::path& folder) {

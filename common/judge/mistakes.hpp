@@ -8,6 +8,8 @@
 //                                             "spelling": "rv-for-nh.other.patch"}, ...]   ("spelling" may be absent)
 //   tests/variants/NN-name/variants.json    [{"name": "...", "title": "...", "patch": "....patch"}, ...]
 //
+// What students get (cli/release.cpp) has the names and sentences of the mistakes alone: no patches.
+//
 // A mistake proves that a case can fail, and gives a verdict a name to say. A variant proves that a case does not
 // refuse what is right.
 #pragma once
@@ -24,7 +26,7 @@ struct Mistake {
   std::string title;                              ///< for tables
   std::string sentence;                           ///< what a student reads when an answer looks like this mistake
   std::string hint;                               ///< what to try next
-  std::filesystem::path patch;                    ///< makes the mistake out of the solution
+  std::filesystem::path patch;                    ///< makes the mistake out of the solution; empty where not needed
   std::optional<std::filesystem::path> spelling;  ///< the same mistake written in another way: proves the naming
 };
 
@@ -34,10 +36,13 @@ struct Variant {
   std::filesystem::path patch;
 };
 
+/// Who gives a mistake its name in a verdict needs no patch; who makes the mistake does.
+enum class Patches { needed, optional };
+
 /// Each reads its whole file, at least one entry; patch paths come back joined to the file's folder, and exist. Throws
 /// Error naming the file, the entry and the member: unknown or missing members, empty texts, bad or repeated names,
 /// patches that are not plain NAME.patch files beside it.
-std::vector<Mistake> read_mistakes(const std::filesystem::path& file);
+std::vector<Mistake> read_mistakes(const std::filesystem::path& file, Patches patches = Patches::needed);
 std::vector<Variant> read_variants(const std::filesystem::path& file);
 
 /// Copies the files of `solution` (the regular files of one step's folder, not what is below it) to `folder`, which is

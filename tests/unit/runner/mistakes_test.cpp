@@ -73,6 +73,14 @@ TEST_CASE("mistakes and variants are read") {
   CHECK(variants[0].patch == others.folder.path() / "b.patch");
 }
 
+TEST_CASE("who only names mistakes needs no patches") {
+  const Lists lists("[" + mistake(", \"patch\": \"a.patch\"", "") + "]");
+  const auto mistakes = read_mistakes(lists.file, Patches::optional);
+  REQUIRE(mistakes.size() == 1);
+  CHECK(mistakes[0].sentence == "You forgot it.");
+  CHECK(mistakes[0].patch.empty());
+}
+
 TEST_CASE("broken lists are refused with the place and the reason") {
   struct Row {
     std::string name, text;
