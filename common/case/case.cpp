@@ -26,8 +26,8 @@ const std::vector<std::string> picture_members = {"scene",      "camera", "size"
                                                   "unit",       "delta",  "budget", "exposure", "reason",
                                                   "references", "mask",   "regions"};
 const std::vector<std::string> probe_members = {"probe", "inputs", "expected", "expected_from", "tolerance"};
-const std::vector<std::string> shared_members = {"name",   "settings", "title",   "asked",     "hint", "tier",
-                                                 "points", "student",  "rejects", "functions", "needs"};
+const std::vector<std::string> shared_members = {"name",   "settings", "title",  "asked",   "hint",      "tier",
+                                                 "points", "student",  "hidden", "rejects", "functions", "needs"};
 
 std::vector<std::string> known_members() {
   std::vector<std::string> known = shared_members;

@@ -67,6 +67,7 @@ void read_about(const Reader& r, JudgedCase& c) {
   c.points = strict_json::number(r.require("points"), r.at("points"), 0, max_points);
   c.tier = r.one_of("tier", "core", {"core", "further", "challenge"});
   if (const Json* student = r.find("student")) c.student = strict_json::flag(*student, r.at("student"));
+  if (const Json* hidden = r.find("hidden")) c.hidden = strict_json::flag(*hidden, r.at("hidden"));
   c.rejects = r.names("rejects", "-");
   c.functions = r.names("functions", "_");
   c.needs = r.names("needs", "_-");

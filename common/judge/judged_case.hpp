@@ -15,6 +15,7 @@
 //     "tier"       "core" (default), "further", "challenge"
 //     "points"     0..1000
 //     "student"    true (default); false where the untouched skeleton may pass
+//     "hidden"     true where the case is left out of what students get (cli/release.cpp); false (default)
 //     "rejects"    names of the mistakes that the case claims to catch; at least one where there are points
 //     "functions"  names of the student's functions that the case exercises
 //     "needs"      optional abilities of the driver; the case then has no points
@@ -82,6 +83,7 @@ struct JudgedCase {
   double points = 0;
   std::string tier = "core";           ///< core, further, challenge
   bool student = true;                 ///< false: the untouched skeleton may pass (a background, a given part)
+  bool hidden = false;                 ///< judged wherever it is, and left out of releases
   std::vector<std::string> rejects;    ///< the mistakes that this case claims to catch
   std::vector<std::string> functions;  ///< what the student wrote that this case exercises
   std::vector<std::string> needs;  ///< optional abilities of the driver ("clip_control"); the case then has no points

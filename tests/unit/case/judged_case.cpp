@@ -60,6 +60,7 @@ TEST_CASE("a picture case takes its defaults") {
   CHECK(c.ask.name == "sphere");
   CHECK(c.tier == "core");
   CHECK(c.student);
+  CHECK_FALSE(c.hidden);
   CHECK(c.profile == Profile::strict);
   CHECK(c.unit == Unit::colour);
   CHECK(c.delta == 3);
@@ -73,6 +74,7 @@ TEST_CASE("a picture case takes every member") {
   const json pole = {{"name", "the pole"}, {"at", {120, 0, 16, 8}}, {"weight", 2.5}};
   const JudgedCase c = read_one(with(picture(), {{"tier", "challenge"},
                                                  {"student", false},
+                                                 {"hidden", true},
                                                  {"functions", {"shade_point"}},
                                                  {"output", "normal"},
                                                  {"profile", "robust"},
@@ -85,6 +87,7 @@ TEST_CASE("a picture case takes every member") {
                                                  {"references", {"a.exr", "b.png"}}}));
   CHECK(c.tier == "challenge");
   CHECK_FALSE(c.student);
+  CHECK(c.hidden);
   CHECK(c.functions == std::vector<std::string>{"shade_point"});
   CHECK(c.profile == Profile::robust);
   CHECK(c.unit == Unit::degrees);
@@ -146,6 +149,7 @@ TEST_CASE("broken judged cases are refused with file, case, member and what is a
       {with(picture(), {{"points", "2"}}), "points: \"2\""},
       {with(picture(), {{"tier", "easy"}}), "tier: \"easy\" is not allowed; it takes core, further, challenge"},
       {with(picture(), {{"student", 1}}), "student: 1 is not allowed; it takes true or false"},
+      {with(picture(), {{"hidden", "yes"}}), "hidden: \"yes\" is not allowed; it takes true or false"},
       {with(picture(), {{"rejects", nullptr}}), "must name in 'rejects' a mistake"},
       {with(picture(), {{"rejects", json::array()}}), "must name in 'rejects' a mistake"},
       {with(picture(), {{"rejects", {"a", "a"}}}), "rejects: 'a' stands twice"},
