@@ -34,6 +34,9 @@ struct ProjectFolders {
   std::filesystem::path handouts() const { return root / "handouts"; }
   std::filesystem::path out() const { return own() / "out"; }
   std::filesystem::path progress() const { return own() / "progress.json"; }  ///< see cli/progress_record.hpp
+  /// Of a release alone: the skeletons that it brings, and those that were given to the student (skeleton_update.hpp).
+  std::filesystem::path skeletons() const { return root / "skeletons"; }
+  std::filesystem::path given() const { return own() / ".given"; }
 
   std::filesystem::path case_file(const std::string& step) const { return cases() / step / "cases.json"; }
   std::filesystem::path hints_file(const std::string& step) const { return cases() / step / "hints.json"; }

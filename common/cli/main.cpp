@@ -10,6 +10,8 @@
 #include "base/error.hpp"
 #include "case/suggest.hpp"
 #include "cli/commands.hpp"
+#include "cli/layout.hpp"
+#include "cli/skeleton_update.hpp"
 
 namespace atelier {
 namespace {
@@ -200,6 +202,7 @@ int run(int count, char** arguments) {
   }
   for (const std::string& argument : interface.app.get_subcommand("run")->remaining())
     (options.run.step.empty() ? options.run.step : options.run.arguments.emplace_back()) = argument;
+  for (const std::string& line : update_skeletons(project_folders())) fmt::print(stderr, "{}\n", line);
   return interface.action();
 }
 

@@ -1,0 +1,185 @@
+// A student's files under releases: given, replaced, merged, put beside, and never lost.
+#include "cli/skeleton_update.hpp"
+
+#include <cstdlib>
+
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "catch.hpp"
+#include "cli/skeleton_record.hpp"
+
+using namespace atelier;
+using atelier::test::mentions;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string name = "01-move/move.cpp";
+
+/// A folder in which a release was unpacked.
+struct Project {
+  TemporaryFolder folder;
+  ProjectFolders folders{.root = folder.path(), .build = folder.path() / "build"};
+
+  void release(const std::string& text) const { write_file(folders.skeletons() / name, text); }
+  void edit(const std::string& text) const { write_file(mine(), text); }
+  std::vector<std::string> update() const { return update_skeletons(folders); }
+
+  fs::path mine() const { return folders.steps() / name; }
+  std::string beside(const std::string& ending) const {
+    const fs::path path = mine().string() + ending;
+    return fs::exists(path) ? read_file(path) : "(none)";
+  }
+  SkeletonState state() const { return skeleton_state(folders.steps(), read_skeleton_record(folders.steps()), name); }
+};
+
+/// PATH without any program, until the end of the scope.
+class NoPrograms {
+ public:
+  NoPrograms() { ::setenv("PATH", empty_.path().c_str(), 1); }
+  ~NoPrograms() { ::setenv("PATH", old_.c_str(), 1); }
+
+ private:
+  std::string old_ = std::getenv("PATH");
+  TemporaryFolder empty_;
+};
+
+bool has_git() {
+  try {
+    return run_process({.arguments = {"git", "--version"}}).ok();
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+const std::string first = "// a\n\nint move();\n\n// b\n\n// c\n";
+const std::string second = "// a, better\n\nint move();\n\n// b\n\n// c\n";
+const std::string edited = "// a\n\nint move();\n\n// b\n\n// c: my own\n";
+const std::string both = "// a, better\n\nint move();\n\n// b\n\n// c: my own\n";
+const std::string edited_there = "// a: my own\n\nint move();\n\n// b\n\n// c\n";
+
+}  // namespace
+
+TEST_CASE("without skeletons there is nothing to do") {
+  const Project project;
+  CHECK(project.update().empty());
+  CHECK(fs::is_empty(project.folder.path()));
+}
+
+TEST_CASE("a missing file is given, once, and again where it was deleted") {
+  const Project project;
+  project.release(first);
+  CHECK(mentions(project.update().at(0), {"steps/01-move/move.cpp"}));
+  CHECK(read_file(project.mine()) == first);
+  CHECK(project.state() == SkeletonState::untouched);
+  CHECK(project.update().empty());
+
+  fs::remove(project.mine());
+  CHECK(project.update().size() == 1);
+  CHECK(read_file(project.mine()) == first);
+
+  project.edit(edited);
+  CHECK(project.update().empty());
+  CHECK(read_file(project.mine()) == edited);
+  CHECK(project.state() == SkeletonState::edited);
+}
+
+TEST_CASE("an untouched file becomes the new skeleton") {
+  const Project project;
+  project.release(first);
+  project.update();
+  project.release(second);
+  CHECK(mentions(project.update().at(0), {"untouched"}));
+  CHECK(read_file(project.mine()) == second);
+  CHECK(project.state() == SkeletonState::untouched);
+  CHECK(project.beside(".before-merge") == "(none)");
+}
+
+TEST_CASE("a file that is the new skeleton already stays without a word") {
+  const Project project;
+  project.release(first);
+  project.update();
+  project.release(second);
+  project.edit(second);
+  CHECK(project.update().empty());
+  CHECK(project.state() == SkeletonState::untouched);
+}
+
+TEST_CASE("changes of the student and of the release are merged, and the student's file is kept") {
+  if (!has_git()) SKIP_TEST("no git");
+  const Project project;
+  project.release(first);
+  project.update();
+  project.edit(edited);
+  project.release(second);
+  CHECK(mentions(project.update().at(0), {"move.cpp.before-merge"}));
+  CHECK(read_file(project.mine()) == both);
+  CHECK(project.beside(".before-merge") == edited);
+  CHECK(project.update().empty());
+
+  SECTION("the next merge takes the next name") {
+    project.release("// a, better still\n\nint move();\n\n// b\n\n// c\n");
+    CHECK(mentions(project.update().at(0), {"move.cpp.before-merge-2"}));
+    CHECK(project.beside(".before-merge") == edited);
+    CHECK(project.beside(".before-merge-2") == both);
+  }
+  SECTION("a run that was cut off before it had noted what was given ends the same") {
+    write_file(project.folders.given() / name, first);
+    CHECK(project.update().empty());
+    CHECK(read_file(project.mine()) == both);
+    CHECK(project.beside(".before-merge-2") == "(none)");
+  }
+}
+
+TEST_CASE("where both have changed the same lines the new skeleton lies beside") {
+  const Project project;
+  project.release(first);
+  project.update();
+  project.edit(edited_there);
+  project.release(second);
+  CHECK(mentions(project.update().at(0), {"move.cpp.new"}));
+  CHECK(read_file(project.mine()) == edited_there);
+  CHECK(project.beside(".new") == second);
+  CHECK(project.beside(".before-merge") == "(none)");
+  CHECK(project.update().empty());
+
+  const std::string third = "// a, another way\n\nint move();\n\n// b\n\n// c\n";
+  project.release(third);
+  CHECK(mentions(project.update().at(0), {"move.cpp.new-2"}));
+  CHECK(read_file(project.mine()) == edited_there);
+  CHECK(project.beside(".new") == second);
+  CHECK(project.beside(".new-2") == third);
+}
+
+TEST_CASE("without git the new skeleton lies beside an edited file, and replaces an untouched one") {
+  const NoPrograms without_git;
+  REQUIRE_FALSE(has_git());
+  const Project project;
+  project.release(first);
+  project.update();
+  SECTION("edited") {
+    project.edit(edited);
+    project.release(second);
+    CHECK(mentions(project.update().at(0), {"move.cpp.new"}));
+    CHECK(read_file(project.mine()) == edited);
+    CHECK(project.beside(".new") == second);
+    CHECK(project.update().empty());
+  }
+  SECTION("untouched") {
+    project.release(second);
+    CHECK(project.update().size() == 1);
+    CHECK(read_file(project.mine()) == second);
+    CHECK(project.beside(".new") == "(none)");
+  }
+}
+
+TEST_CASE("a file of which it is not known what was given stays") {
+  const Project project;  // a release unpacked afresh, and last week's work copied into it
+  project.release(second);
+  project.edit(edited);
+  CHECK(mentions(project.update().at(0), {"move.cpp.new"}));
+  CHECK(read_file(project.mine()) == edited);
+  CHECK(project.beside(".new") == second);
+  CHECK(project.update().empty());
+}
