@@ -75,6 +75,12 @@ struct DoctorOptions {
 };
 int run_doctor(const DoctorOptions& options);
 
+struct SubmitOptions {
+  std::string step;
+  std::filesystem::path out;  ///< the ZIP; empty: out/submit/NN-name.zip
+};
+int run_submit(const SubmitOptions& options);
+
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME

@@ -60,6 +60,7 @@ struct AllOptions {
   ResetOptions reset;
   CompareOptions compare;
   DoctorOptions doctor;
+  SubmitOptions submit;
   GradeOptions grade;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -121,6 +122,11 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   doctor->add_option("--found", options.doctor.found)->group("");  // these are the launcher's, and doctor's own
   doctor->add_option("--install", options.doctor.install)->group("");
   doctor->add_option("--try", options.doctor.context)->group("");
+
+  CLI::App* submit =
+      interface.add("submit", "Pack your own files of a step, to be handed in", options.submit, run_submit);
+  add_step(submit, options.submit.step);
+  submit->add_option("--out", options.submit.out, "The ZIP; without it: out/submit/STEP.zip");
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {

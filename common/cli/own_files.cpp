@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/file.hpp"
 
 namespace atelier {
 
@@ -21,6 +22,20 @@ OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<Cour
   own.built = judge::build_step(flags, step.name, mine.sources / step.name, mine.libraries);
   own.path = search_path(folders, step.name, mine, own.earlier);
   return own;
+}
+
+grade::PackedFiles read_own_files(const ProjectFolders& folders, const CourseStep& step) {
+  namespace fs = std::filesystem;
+  grade::PackedFiles files;
+  for (const std::string& file : step.files) {
+    const fs::path path = folders.steps() / step.name / file;
+    const fs::file_status status = fs::symlink_status(path);
+    if (!fs::exists(status)) throw Error(fmt::format("{}: is missing; nothing was packed", path.string()));
+    if (!fs::is_regular_file(status))
+      throw Error(fmt::format("{}: must be a regular file, no link or folder; nothing was packed", path.string()));
+    files[step.name + "/" + file].bytes = read_file(path, judge::source_limit);
+  }
+  return files;
 }
 
 }  // namespace atelier

@@ -6,6 +6,7 @@
 
 #include "cli/layout.hpp"
 #include "cli/search_path.hpp"
+#include "grade/zip.hpp"
 #include "judge/build.hpp"
 
 namespace atelier {
@@ -21,5 +22,9 @@ struct OwnFiles {
 /// the way round it.
 OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                            const grade::Code& mine, const std::string& earlier);
+
+/// The student's files of a step as they are handed in: "NN-name/FILE". Throws Error naming one that is missing, no
+/// regular file or larger than judge::source_limit: `grade` would not take it.
+grade::PackedFiles read_own_files(const ProjectFolders& folders, const CourseStep& step);
 
 }  // namespace atelier
