@@ -7,8 +7,9 @@
 # PROGRAM   the given sources
 #
 # Makes the executable NAME, the given program as a module that it loads, and, where solutions/NAME is there, the
-# solution's library. Students' own files are not built here: the atelier command does that with the same flags
-# (step_flags.json), so that what a student breaks stops nothing else.
+# solution's library, unless a release has brought it compiled: solutions/NAME/libstep.so. Students' own files are not
+# built here: the atelier command does that with the same flags (step_flags.json), so that what a student breaks stops
+# nothing else.
 
 set(ATELIER_STUDENT_FLAGS -std=c++20 -O2 -g1 -fPIC -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -DGLM_FORCE_SILENT_WARNINGS)
 if(ATELIER_SANITIZE)
@@ -41,6 +42,9 @@ endfunction()
 function(atelier_step name)
   cmake_parse_arguments(STEP "" "TITLE" "FILES;HEADERS;USES;PROGRAM" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/steps/${name})
+  if(EXISTS ${PROJECT_SOURCE_DIR}/skeletons AND NOT EXISTS ${folder}/main.cpp)
+    return()  # a step that has not been released yet
+  endif()
 
   list(TRANSFORM STEP_PROGRAM PREPEND ${folder}/)
   add_library(program-${name} MODULE ${STEP_PROGRAM})
@@ -68,10 +72,11 @@ function(atelier_step name)
   target_compile_definitions(${name} PRIVATE ATELIER_STEP="${name}" "ATELIER_STEP_LIBRARIES=${libraries_c}")
   add_dependencies(${name} program-${name} atelier_prelude)
 
-  if(EXISTS ${PROJECT_SOURCE_DIR}/solutions/${name} AND "${STEP_FILES}" MATCHES "\\.cpp")
-    set(sources ${STEP_FILES})
-    list(FILTER sources INCLUDE REGEX "\\.cpp$")
-    list(TRANSFORM sources PREPEND ${PROJECT_SOURCE_DIR}/solutions/${name}/)
+  set(solution ${PROJECT_SOURCE_DIR}/solutions/${name})
+  set(sources ${STEP_FILES})
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  list(TRANSFORM sources PREPEND ${solution}/)
+  if(sources AND EXISTS ${solution} AND NOT EXISTS ${solution}/libstep.so)
     add_library(solution-${name} MODULE ${sources})
     target_link_libraries(solution-${name} PRIVATE atelier_options)
     target_compile_options(solution-${name} PRIVATE -Wno-unused-parameter)

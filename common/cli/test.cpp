@@ -93,6 +93,8 @@ std::vector<std::string> selection_of(TestOptions::Tier tier) {
 
 int run_test(const TestOptions& options) {
   const ProjectFolders folders = project_folders();
+  if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
+    throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
   Tally tally = run_ctest(folders.build, selection_of(options.tier));
   if (options.tier == TestOptions::Tier::all) tally += run_sanitized(folders);
 
