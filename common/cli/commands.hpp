@@ -92,6 +92,13 @@ struct GradeOptions {
 };
 int run_grade(const GradeOptions& options);
 
+struct ReleaseOptions {
+  std::vector<std::string> steps;  ///< or "all"
+  std::filesystem::path out;       ///< a folder that is not there or empty, or a path that ends in .zip
+  std::string earlier = "none";    ///< or "source", "library"
+};
+int run_release(const ReleaseOptions& options);
+
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere

@@ -62,6 +62,7 @@ struct AllOptions {
   DoctorOptions doctor;
   SubmitOptions submit;
   GradeOptions grade;
+  ReleaseOptions release;
   AuditOptions audit;
   ReferenceOptions reference;
   SkeletonOptions skeleton;
@@ -142,6 +143,19 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   command->add_option("--shuffle", grade.shuffle, "Ask for the cases in an order drawn from this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);
+
+  CLI::App* release = interface.add("release", "Make what students get: no solution, no patch, no hidden case",
+                                    options.release, run_release);
+  release->add_option("step", options.release.steps, "Steps, or all")->required();
+  release->add_option("--out", options.release.out, "A folder that is not there or empty, or a file that ends in .zip")
+      ->required();
+  release
+      ->add_option("--earlier", options.release.earlier,
+                   "What stands behind earlier steps that these use: the student's own (none), the solution (source), "
+                   "or the solution compiled for machines like this one (library); shaders cannot be compiled, and so "
+                   "can be read in either")
+      ->check(CLI::IsMember({"none", "source", "library"}))
+      ->capture_default_str();
 }
 
 void describe_for_authors(Interface& interface, AllOptions& options) {

@@ -46,8 +46,8 @@ class Cutter {
                          skeleton_mark, close_mark));
     else if (part_ == Part::skeleton)
       uncomment(indentation, text);
-    else if (part_ == Part::common || keep_ == Keep::solution)
-      append(line);
+    else
+      take_code(line, text);
   }
 
   std::string finish() {
@@ -57,6 +57,7 @@ class Cutter {
   }
 
   int tasks() const { return tasks_; }
+  const std::vector<std::string>& left_out() const { return left_out_; }
 
  private:
   enum class Part { common, solution, skeleton };
@@ -68,6 +69,12 @@ class Cutter {
     opened_ = number_;
     ++tasks_;
     if (keep_ == Keep::skeleton) append(fmt::format("{}// TODO({}): {}", indentation, step_, task));
+  }
+
+  /// A line without a mark, outside of the skeleton's part.
+  void take_code(std::string_view line, std::string_view text) {
+    if (part_ == Part::solution) left_out_.emplace_back(text);
+    if (part_ == Part::common || keep_ == Keep::solution) append(line);
   }
 
   void close() {
@@ -97,6 +104,7 @@ class Cutter {
   const std::string& step_;
   const Keep keep_;
   std::string out_;
+  std::vector<std::string> left_out_;
   Part part_ = Part::common;
   int number_ = 0, opened_ = 0, tasks_ = 0;
 };
@@ -123,6 +131,14 @@ std::string finished_text(std::string_view marked, const std::string& file) {
   Cutter cutter(file, no_step, Cutter::Keep::solution);
   feed(cutter, marked);
   return cutter.finish();
+}
+
+std::vector<std::string> solution_lines(std::string_view marked, const std::string& file) {
+  const std::string no_step;
+  Cutter cutter(file, no_step);
+  feed(cutter, marked);
+  cutter.finish();
+  return cutter.left_out();
 }
 
 int count_tasks(std::string_view marked, const std::string& file) {

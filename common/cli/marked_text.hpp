@@ -21,6 +21,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace atelier {
 
@@ -31,6 +32,10 @@ std::string cut_skeleton(std::string_view marked, const std::string& file, const
 
 /// The finished text without its marks and without the skeleton's lines. Throws as cut_skeleton does.
 std::string finished_text(std::string_view marked, const std::string& file);
+
+/// The lines that the skeleton leaves out, without the blanks round them: what a student is to find out. Throws as
+/// cut_skeleton does.
+std::vector<std::string> solution_lines(std::string_view marked, const std::string& file);
 
 /// The number of blocks that a student is to write: 0 for a text without marks. Throws as cut_skeleton does.
 int count_tasks(std::string_view marked, const std::string& file);

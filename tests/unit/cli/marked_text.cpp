@@ -64,3 +64,10 @@ TEST_CASE("tasks are counted") {
   CHECK(count_tasks("int a;\n", "x.cpp") == 0);
   CHECK(count_tasks("// >>> student: s\n// <<< student\n// >>> student: t\n// <<< student\n", "x.cpp") == 2);
 }
+
+TEST_CASE("the lines of a solution are those that the skeleton leaves out") {
+  const char* const marked =
+      "a;\n  // >>> student: s\n  b;\n\n  c;\n  // --- skeleton\n  // | d;\n  // <<< student\ne;\n";
+  CHECK(solution_lines(marked, "x.cpp") == std::vector<std::string>{"b;", "", "c;"});
+  CHECK(solution_lines("a;\n", "x.cpp").empty());
+}
