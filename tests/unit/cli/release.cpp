@@ -80,7 +80,7 @@ struct Project {
     write("solutions/01-move/move.glsl", "vec3 all_given();\n");
     write("solutions/02-light/light.glsl", marked(shader_secret));
     write("steps/01-move/move.cpp", secret);  // somebody's work: never a skeleton
-    write("tests/cases/01-move/cases.json", "tests/cases/01-move/hints.json", cases_of_move);
+    write("tests/cases/01-move/cases.json", cases_of_move);
     for (const char* name : {"near", "far-and-secret", "shown"}) {
       for (const char* ending : {".exr", ".json"}) write(std::string("tests/cases/01-move/") + name + ending, name);
       write(std::string("tests/cases/01-move/atlas/") + name + "--backwards.png", name);
@@ -126,11 +126,15 @@ const std::set<std::string> always = {"CMakeLists.txt",
 const std::set<std::string> of_move = {"steps/01-move/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
                                        "handouts/pictures/01-a.png"};
 const std::set<std::string> skeletons_of_move = {"skeletons/01-move/move.cpp", "skeletons/01-move/move.glsl"};
-const std::set<std::string> cases_files_of_move = {
-    "tests/cases/01-move/cases.json",       "tests/cases/01-move/near.exr",
-    "tests/cases/01-move/near.json",        "tests/cases/01-move/shown.exr",
-    "tests/cases/01-move/shown.json",       "tests/cases/01-move/atlas/near--backwards.png",
-    "tests/mistakes/01-move/mistakes.json", "tests/cases/01-move/atlas/shown--backwards.png"};
+const std::set<std::string> cases_files_of_move = {"tests/cases/01-move/hints.json",
+                                                   "tests/cases/01-move/cases.json",
+                                                   "tests/cases/01-move/near.exr",
+                                                   "tests/cases/01-move/near.json",
+                                                   "tests/cases/01-move/shown.exr",
+                                                   "tests/cases/01-move/shown.json",
+                                                   "tests/cases/01-move/atlas/near--backwards.png",
+                                                   "tests/mistakes/01-move/mistakes.json",
+                                                   "tests/cases/01-move/atlas/shown--backwards.png"};
 const std::set<std::string> of_light = {"steps/02-light/main.cpp",         "handouts/02-light.md",
                                         "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
                                         "tests/cases/02-light/cases.json", "tests/cases/02-light/lit.values.json"};

@@ -23,7 +23,8 @@ TEST_CASE("what is packed comes back") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.zip", make_zip(files));
   const auto found =
-      read_zip(folder.path() / "a.zip", {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6});
+      read_zip(folder.path() / "a.zip", {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6})
+          .files;
   REQUIRE(found.size() == files.size());
   for (const auto& [path, file] : files) {
     INFO(path);
