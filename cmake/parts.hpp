@@ -1,5 +1,5 @@
-// What most files of common/ include, precompiled once. Every file still includes what it uses: the sanitizers' build
-// goes without precompiled headers, and finds what is missing.
+// What most files of common/ include, precompiled once. Every file still includes what it uses: the debug preset goes
+// without precompiled headers, and finds what is missing.
 #include <fmt/format.h>
 
 #include <algorithm>
