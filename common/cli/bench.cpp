@@ -55,7 +55,7 @@ Figure measure(std::string name, std::string detail, int repeats, const std::fun
 int run_bench(const BenchOptions& options) {
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
-  std::vector<Figure> figures = bench_commands(folders, resolve_step(course, options.step), options.repeats);
+  std::vector<Figure> figures = bench_commands(folders, course, resolve_step(course, options.step), options.repeats);
   const std::vector<Figure> parts = bench_parts(options.repeats);
   figures.insert(figures.end(), parts.begin(), parts.end());
   options.json ? print_json(figures) : print_table(figures);

@@ -25,7 +25,8 @@ Figure measure(std::string name, std::string detail, int repeats, const std::fun
 
 /// The commands of a student's loop on one step: an edit of each kind of file, the launcher, the program's start, the
 /// shader compiler with and without its optimiser.
-std::vector<Figure> bench_commands(const ProjectFolders& folders, const CourseStep& step, int repeats);
+std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                                   const CourseStep& step, int repeats);
 
 /// The parts within this process: contexts and comparisons.
 std::vector<Figure> bench_parts(int repeats);

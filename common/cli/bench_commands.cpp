@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "cli/bench.hpp"
+#include "cli/own_check.hpp"
 #include "cli/search_path.hpp"
 #include "judge/runner.hpp"
 
@@ -50,9 +52,15 @@ fs::path file_with(const CourseStep& step, const std::string& ending) {
   return {};
 }
 
+std::vector<std::string> names_of(const std::vector<JudgedCase>& cases) {
+  std::vector<std::string> names;
+  for (const JudgedCase& c : cases) names.push_back(c.ask.name);
+  return names;
+}
+
 /// An edit of each kind of file, in a copy of the solution: nobody's own files are touched.
-std::vector<Figure> bench_edits(const ProjectFolders& folders, const CourseStep& step,
-                                const std::vector<JudgedCase>& cases, int repeats) {
+std::vector<Figure> bench_edits(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                                const CourseStep& step, const std::vector<JudgedCase>& cases, int repeats) {
   const TemporaryFolder copy("atelier-bench");
   judge::take_step_files(judge::read_step_flags(folders.step_flags()), step.name, folders.solutions() / step.name,
                          copy.path() / step.name);
@@ -64,21 +72,28 @@ std::vector<Figure> bench_edits(const ProjectFolders& folders, const CourseStep&
                                     "solution",
                                     "--sources",
                                     copy.path().string()};
-  for (const JudgedCase& c : cases) check.insert(check.end(), {"--case", c.ask.name});
+  for (const std::string& name : names_of(cases)) check.insert(check.end(), {"--case", name});
   must_run(check);  // builds what is missing, decodes the references
 
   std::vector<Figure> figures;
   const auto cold = [&] { fs::remove_all(folders.shader_cache()); };
   const std::string detail = fmt::format("{} cases of 256x256, cold shader cache", cases.size());
-  const auto add = [&](const char* name, const char* ending, double limit) {
+  const auto add = [&](const char* name, const char* ending, double limit, const std::function<void()>& judge) {
     const fs::path file = file_with(step, ending);
     if (file.empty()) return;
-    figures.push_back(measure(
-        name, detail, repeats, [&] { must_run(check); }, [&] { cold(), edit(copy.path() / step.name / file); }));
+    figures.push_back(measure(name, detail, repeats, judge, [&] { cold(), edit(copy.path() / step.name / file); }));
     figures.back().limit = limit;
   };
-  add("edit to verdict, GLSL", ".glsl", 0.5);
-  add("edit to verdict, C++", ".cpp", 1.0);
+  const auto by_check = [&] { must_run(check); };
+  add("edit to verdict, GLSL", ".glsl", 0.5, by_check);
+  add("edit to verdict, C++", ".cpp", 1.0, by_check);
+  OwnCheck watched(folders, course, step, {.cases = names_of(cases), .earlier = "solution", .sources = copy.path()});
+  const auto by_watch = [&] {
+    if (!grade::all_passed(watched.judge())) throw Error("bench: the solution does not pass");
+  };
+  by_watch();  // as in a session that has begun: references are in memory
+  add("save to verdict in watch, GLSL", ".glsl", 0.5, by_watch);
+  add("save to verdict in watch, C++", ".cpp", 1.0, by_watch);
   figures.push_back(measure("nothing changed", fmt::format("{} cases, warm shader cache", cases.size()), repeats,
                             [&] { must_run(check); }));
   return figures;
@@ -124,9 +139,10 @@ std::vector<Figure> bench_shaders(const ProjectFolders& folders, const CourseSte
 
 }  // namespace
 
-std::vector<Figure> bench_commands(const ProjectFolders& folders, const CourseStep& step, int repeats) {
+std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                                   const CourseStep& step, int repeats) {
   const auto cases = pick_cases(judge::read_case_file(folders.case_file(step.name)).cases);
-  std::vector<Figure> figures = bench_edits(folders, step, cases, repeats);
+  std::vector<Figure> figures = bench_edits(folders, course, step, cases, repeats);
   for (const auto& part : {bench_start(folders, step, repeats), bench_shaders(folders, step, cases, repeats)})
     figures.insert(figures.end(), part.begin(), part.end());
   return figures;
