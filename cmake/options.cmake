@@ -3,6 +3,8 @@ add_library(atelier_options INTERFACE)
 target_compile_options(atelier_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
   -Wno-restrict        # GCC 12 sees overlaps in std::string that are not there
+  # GCC 13 and newer take a reference that a function returns for one to the text that it was given beside
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   -ffp-contract=off)  # the same arithmetic with and without fused multiply-add
 if(ATELIER_WERROR AND NOT ATELIER_SANITIZE)  # GCC 12 sees uninitialised values in <regex> when it instruments it
   target_compile_options(atelier_options INTERFACE -Werror)
