@@ -126,7 +126,8 @@ std::string text(const Json& value, const std::string& where, std::size_t limit)
 }
 
 std::string one_of(const Json& value, const std::string& where, const std::vector<std::string>& choices) {
-  const bool known = value.is_string() && std::find(choices.begin(), choices.end(), value) != choices.end();
+  const bool known = value.is_string() &&
+                     std::find(choices.begin(), choices.end(), value.get_ref<const std::string&>()) != choices.end();
   if (!known) refuse(value, where, join(choices));
   return value.get<std::string>();
 }
