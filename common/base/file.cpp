@@ -112,6 +112,13 @@ void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
 }
 
+std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending) {
+  std::filesystem::path free = path.string() + ending;
+  for (int number = 2; std::filesystem::exists(std::filesystem::symlink_status(free)); ++number)
+    free = path.string() + ending + "-" + std::to_string(number);
+  return free;
+}
+
 TemporaryFolder::TemporaryFolder(std::string_view prefix) {
   std::error_code failed;
   const fs::path parent = fs::temp_directory_path(failed);

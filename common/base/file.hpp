@@ -19,6 +19,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit = std
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// A path beside `path` that nothing has yet: with `ending` behind its name, and "-2", "-3" ... where that is taken.
+std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending);
+
 /// A new empty folder below the system's temporary folder, removed with all that is in it at the end of the scope.
 class TemporaryFolder {
  public:

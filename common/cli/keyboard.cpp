@@ -10,18 +10,24 @@
 namespace atelier {
 namespace {
 
-termios usual, bare;  // how the terminal was, and how it is while we listen
-bool ours = false;    // whether it is as `bare` says
+termios usual, bare;                // how the terminal was, and how it is while we listen
+bool ours = false;                  // whether it is as `bare` says
+volatile sig_atomic_t leaving = 0;  // the signal that has asked us to end
 constexpr int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 // In these handlers: only calls that POSIX calls async-signal-safe; tcsetattr is among them.
 
+/// In the background the terminal is not ours to change: asking would stop us.
+bool in_foreground() {
+  return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
+}
+
 void give_back() {
-  if (ours) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &usual);
+  if (ours && in_foreground()) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &usual);
 }
 
 /// Ends or stops the program as if nobody had listened to the signal.
-void leave(int number) {
+void leave_at_once(int number) {
   const int error = errno;
   give_back();
   struct sigaction usual_action {
@@ -37,9 +43,15 @@ void leave(int number) {
   errno = error;
 }
 
+/// The first time only taken down, so that whoever listens can end its programs and take its files away.
+void leave(int number) {
+  if (leaving != 0) leave_at_once(number);
+  leaving = number;
+}
+
 void come_back(int) {
   const int error = errno;
-  if (ours) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &bare);
+  if (ours && in_foreground()) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &bare);
   errno = error;
 }
 
@@ -59,7 +71,7 @@ Keyboard::Keyboard() {
   bare.c_cc[VMIN] = 0, bare.c_cc[VTIME] = 0;
   ours = true;
   for (const int number : ends) on_signal(number, leave);
-  on_signal(SIGTSTP, leave);
+  on_signal(SIGTSTP, leave_at_once);
   on_signal(SIGCONT, come_back);
   ::tcsetattr(STDIN_FILENO, TCSADRAIN, &bare);
 }
@@ -71,6 +83,11 @@ Keyboard::~Keyboard() {
   for (const int number : ends) on_signal(number, SIG_DFL);
   on_signal(SIGTSTP, SIG_DFL);
   on_signal(SIGCONT, SIG_DFL);
+  if (leaving != 0) ::raise(leaving);  // whoever waits for us is to know what ended us
+}
+
+bool Keyboard::closed() const {
+  return closed_ || leaving != 0;
 }
 
 std::optional<char> Keyboard::take() {

@@ -21,8 +21,8 @@ struct CourseStep {
 struct ProjectFolders {
   std::filesystem::path root;   ///< where ./atelier lies
   std::filesystem::path build;  ///< build/release, or what ATELIER_BUILD says
-  /// Whose work it is: steps/, out/ and progress.json lie here. Empty: the root. The variable ATELIER_WORK names another
-  /// folder, for several students with one copy of the project.
+  /// Whose work it is: steps/, out/ and progress.json lie here. Empty: the root. The variable ATELIER_WORK names
+  /// another folder, for several students with one copy of the project.
   std::filesystem::path work{};
 
   const std::filesystem::path& own() const { return work.empty() ? root : work; }
@@ -45,8 +45,12 @@ struct ProjectFolders {
 
   std::filesystem::path program(const std::string& step) const { return build / "bin" / step; }
   std::filesystem::path step_flags() const { return build / "step_flags.json"; }
-  /// Compiled step libraries: below "mine" the student's, below "solutions" the finished ones.
+  /// Compiled step libraries: below "solutions" the finished ones.
   std::filesystem::path implementations() const { return build / "implementations"; }
+  /// The student's own, which are nobody else's.
+  std::filesystem::path own_implementations() const {
+    return work.empty() ? implementations() / "mine" : work / ".implementations";
+  }
   /// Decoded reference pictures; may be deleted at any time.
   std::filesystem::path reference_cache() const { return build / "cache" / "references"; }
   std::filesystem::path shader_cache() const { return build / "cache" / "shaders"; }

@@ -27,12 +27,10 @@ Row describe(const ProjectFolders& folders, const Standing& standing, const Skel
   const CourseStep& step = standing.step;
   for (const std::string& file : step.files)
     row.states.push_back(skeleton_state(folders.steps(), record, step.name + "/" + file));
-  const auto built = [&](const char* whose) {
-    return fs::exists(folders.implementations() / whose / step.name / "libstep.so");
-  };
+  const auto built = [&](const fs::path& whose) { return fs::exists(whose / step.name / "libstep.so"); };
   row.program = fs::exists(folders.program(step.name));
-  row.mine = built("mine");
-  row.solution = built("solutions");
+  row.mine = built(folders.own_implementations());
+  row.solution = built(folders.implementations() / "solutions");
   return row;
 }
 

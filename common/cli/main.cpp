@@ -204,6 +204,18 @@ void refuse_unknown_command(const CLI::App& app, int count, char** arguments) {
     throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
 }
 
+/// The step, and what is its program's; --earlier is run's own wherever it stands.
+void take_arguments_of_run(const std::vector<std::string>& given, RunOptions& run) {
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (given[i] == "--earlier" && i + 1 < given.size())
+      run.earlier = given[++i];
+    else if (given[i].starts_with("--earlier="))
+      run.earlier = given[i].substr(given[i].find('=') + 1);
+    else
+      (run.step.empty() ? run.step : run.arguments.emplace_back()) = given[i];
+  }
+}
+
 int run(int count, char** arguments) {
   AllOptions options;
   Interface interface;
@@ -220,9 +232,10 @@ int run(int count, char** arguments) {
   } catch (const CLI::ParseError& error) {
     throw Error(std::string(error.what()) + " (see ./atelier --help)");
   }
-  for (const std::string& argument : interface.app.get_subcommand("run")->remaining())
-    (options.run.step.empty() ? options.run.step : options.run.arguments.emplace_back()) = argument;
-  for (const std::string& line : update_skeletons(project_folders())) fmt::print(stderr, "{}\n", line);
+  take_arguments_of_run(interface.app.get_subcommand("run")->remaining(), options.run);
+  // The doctor looks and changes nothing.
+  if (!interface.app.got_subcommand("doctor"))
+    for (const std::string& line : update_skeletons(project_folders())) fmt::print(stderr, "{}\n", line);
   return interface.action();
 }
 

@@ -17,7 +17,9 @@ OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<Cour
     const grade::Code before = code_of(folders, Owner::mine);
     const judge::Built built = judge::build_step(flags, name, before.sources / name, before.libraries);
     if (!built.ok)
-      throw Error(fmt::format("your own {} does not build (--earlier solution goes round it):\n{}", name, built.log));
+      throw Error(fmt::format("your own {} does not build{}:\n{}", name,
+                              is_there(folders, name, Owner::solution) ? " (--earlier solution goes round it)" : "",
+                              built.log));
   }
   own.built = judge::build_step(flags, step.name, mine.sources / step.name, mine.libraries);
   own.path = search_path(folders, step.name, mine, own.earlier);

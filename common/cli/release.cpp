@@ -40,6 +40,7 @@ void write_folder(const fs::path& folder, const grade::PackedFiles& files) {
   const fs::path target = absolute.has_filename() ? absolute : absolute.parent_path();  // "out/" is "out"
   const fs::path part = target.parent_path() / fmt::format(".atelier-{}.part", ::getpid());
   try {
+    fs::remove_all(part);  // of a run that was killed
     for (const auto& [path, file] : files) {
       write_file(part / path, file.bytes);
       if (file.executable)

@@ -11,7 +11,7 @@
 //   solutions/                only what `Earlier` asks for
 //   release.sha256            a line for every other file, as `sha256sum -c` reads them
 //
-// Where the project is a git working tree, what git does not know in these folders stays behind.
+// Where the project is a git working tree, what git does not know in cmake/, common/ and steps/ stays behind.
 #pragma once
 
 #include <string>

@@ -33,7 +33,6 @@ std::set<std::string> distinctive_lines(const ProjectFolders& folders, const std
   std::set<std::string> lines;
   std::string given;
   append_files_below(folders.root / "common", given);
-  append_files_below(folders.handouts(), given);
   for (const CourseStep& step : course) {
     append_given_files(folders.steps() / step.name, step, given);
     const bool secret = std::any_of(steps.begin(), steps.end(), [&](const auto& s) { return s.name == step.name; });

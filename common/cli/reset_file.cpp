@@ -29,14 +29,6 @@ std::vector<std::string> files_of(const std::vector<CourseStep>& steps) {
   throw Error(fmt::format("{}: no file that a student writes; there are {}", text, join(files_of(steps))));
 }
 
-/// A name beside the file that nothing has yet.
-fs::path name_of_copy(const fs::path& file) {
-  fs::path copy = file.string() + ".before-reset";
-  for (int number = 2; fs::exists(fs::symlink_status(copy)); ++number)
-    copy = fmt::format("{}.before-reset-{}", file.string(), number);
-  return copy;
-}
-
 }  // namespace
 
 StudentFile find_student_file(const ProjectFolders& folders, const std::vector<CourseStep>& course,
@@ -65,9 +57,8 @@ StudentFile find_student_file(const ProjectFolders& folders, const std::vector<C
 }
 
 std::string pristine_text(const ProjectFolders& folders, const StudentFile& file) {
-  for (const char* given : {".given", "skeletons"})
-    if (const fs::path path = folders.root / given / file.below_steps(); fs::is_regular_file(path))
-      return read_file(path);
+  for (const fs::path& given : {folders.given(), folders.skeletons()})
+    if (const fs::path path = given / file.below_steps(); fs::is_regular_file(path)) return read_file(path);
   const fs::path solution = folders.solutions() / file.below_steps();
   if (fs::is_regular_file(solution))
     return cut_skeleton(read_file(solution), "solutions/" + file.below_steps().string(), file.step.name);
@@ -88,7 +79,7 @@ Reset reset_file(const ProjectFolders& folders, const StudentFile& file) {
   const std::string pristine = pristine_text(folders, file);
   const fs::path path = folders.steps() / file.below_steps();
   if (fs::exists(path)) {
-    reset.copy = name_of_copy(path);
+    reset.copy = free_path(path, ".before-reset");
     write_file(reset.copy, read_file(path));
   }
   write_file(path, pristine);

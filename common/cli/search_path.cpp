@@ -16,10 +16,6 @@ bool has_passed(const ProjectFolders& folders, const CourseStep& step) {
   return standing.passed && !standing.changed;
 }
 
-bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner) {
-  return fs::is_directory(code_of(folders, owner).sources / step);
-}
-
 Owner choose_owner(const ProjectFolders& folders, const CourseStep& earlier, const std::string& asked) {
   const Owner wanted =
       asked == "mine" || (asked.empty() && has_passed(folders, earlier)) ? Owner::mine : Owner::solution;
@@ -33,8 +29,12 @@ std::string to_string(Owner owner) {
   return owner == Owner::mine ? "yours" : "solution";
 }
 
+bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner) {
+  return fs::is_directory(code_of(folders, owner).sources / step);
+}
+
 grade::Code code_of(const ProjectFolders& folders, Owner owner) {
-  if (owner == Owner::mine) return {.sources = folders.steps(), .libraries = folders.implementations() / "mine"};
+  if (owner == Owner::mine) return {.sources = folders.steps(), .libraries = folders.own_implementations()};
   return {.sources = folders.solutions(), .libraries = folders.implementations() / "solutions"};
 }
 

@@ -18,6 +18,9 @@ std::string to_string(Owner owner);  ///< "yours", "solution": as reports say it
 /// The student's own files at home, and the finished ones.
 grade::Code code_of(const ProjectFolders& folders, Owner owner);
 
+/// Whether this owner has code for the step: a release may come without solutions.
+bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner);
+
 /// By earlier step.
 using Owners = std::map<std::string, Owner>;
 

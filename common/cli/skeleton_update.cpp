@@ -36,13 +36,6 @@ std::optional<std::string> read_where_there(const fs::path& path) {
   return read_file(path);
 }
 
-/// A path that nothing has: with `ending` behind, and a number where that is taken.
-fs::path free_path(const fs::path& path, const std::string& ending) {
-  fs::path free = path.string() + ending;
-  for (int i = 2; fs::exists(fs::symlink_status(free)); ++i) free = fmt::format("{}{}-{}", path.string(), ending, i);
-  return free;
-}
-
 /// `mine` with what has changed from `given` to `skeleton`. Nothing where git is missing or both changed the same.
 std::optional<std::string> merged(const std::string& mine, const std::string& given, const std::string& skeleton) {
   const TemporaryFolder folder("atelier-merge");

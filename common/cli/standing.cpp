@@ -59,7 +59,8 @@ std::string in_words(const Standing& standing) {
 }
 
 const Standing* next_step(const std::vector<Standing>& standings) {
-  const auto found = std::find_if(standings.begin(), standings.end(), [](const Standing& s) { return !s.passed; });
+  const auto found =
+      std::find_if(standings.begin(), standings.end(), [](const Standing& s) { return !s.passed && s.cases > 0; });
   return found == standings.end() ? nullptr : &*found;
 }
 

@@ -28,7 +28,8 @@ std::vector<Standing> standings(const ProjectFolders& folders, const std::vector
 /// "passed", "34.5/100", "1 of 2 cases" (of a step without points), "not checked yet"; ", edited since" behind.
 std::string in_words(const Standing& standing);
 
-/// The first step that has not passed in full; nullptr where all have.
+/// The first step that has not passed in full; nullptr where all have. A step without cases (in a release, one that
+/// others stand on) is passed over.
 const Standing* next_step(const std::vector<Standing>& standings);
 
 /// One line about all steps: "00 ✓  01 ✓  02 34.5/100  03 ·", or with + and - where the terminal has no unicode.

@@ -62,13 +62,15 @@ judge::StepResult first_failure(const judge::StepResult& result) {
   return first;
 }
 
-/// "also failing: sphere, table"; bounded, for a screen.
-std::string further_failures(const judge::StepResult& result, std::size_t told) {
+/// "Also failing: sphere, table", of those that have not been told of; bounded, for a screen.
+std::string further_failures(const judge::StepResult& result, const judge::StepResult& told) {
   constexpr std::size_t most_names = 8;
+  const auto is_told = [&](const std::string& name) {
+    return std::any_of(told.cases.begin(), told.cases.end(), [&](const auto& c) { return c.name == name; });
+  };
   std::vector<std::string> names;
   for (const judge::CaseResult& c : result.cases)
-    if (c.status != judge::Status::passed) names.push_back(c.name);
-  names.erase(names.begin(), names.begin() + std::ptrdiff_t(std::min(told, names.size())));
+    if (c.status != judge::Status::passed && !is_told(c.name)) names.push_back(c.name);
   if (names.empty()) return {};
   std::string text = "Also failing: ";
   for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) text += (i ? ", " : "") + names[i];
@@ -156,7 +158,11 @@ bool Session::called_away() {
 }
 
 void Session::explain_keys() const {
-  fmt::print("\n{}\n", progress_line(standings_now(), style_.unicode));
+  try {
+    fmt::print("\n{}\n", progress_line(standings_now(), style_.unicode));
+  } catch (const std::exception& error) {
+    fmt::print("\nerror: {}\n", error.what());
+  }
   fmt::print("[r]un again  [h]int  [l]ist all cases  [o]pen report  [n]ext step  [R]eset a file  [q]uit\n");
   std::fflush(stdout);
 }
@@ -182,7 +188,7 @@ void Session::judge_and_show() {
     write_own_report(*result_, report());
   } catch (const judge::Interrupted&) {
     fmt::print("(stopped)\n");
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     fmt::print("error: {}\n", error.what());
     explain_keys();
   }
@@ -192,7 +198,7 @@ void Session::judge_and_show() {
 void Session::show_verdict() {
   const judge::StepResult& step = result_->steps.front();
   const judge::StepResult first = first_failure(step);
-  fmt::print("\n{}\n{}", judge::terminal_report(first, style_), further_failures(step, first.cases.size()));
+  fmt::print("\n{}\n{}", judge::terminal_report(first, style_), further_failures(step, first));
   fmt::print("{} of {} cases passed\n", judge::count(step, judge::Status::passed), step.cases.size());
   if (grade::all_passed(step)) fmt::print("\n{}", after_pass(check_.folders(), standings_now(), step.step));
 }
@@ -210,7 +216,7 @@ void Session::show_hint() {
     const Hint hint = next_hint(check_.folders(), check_.step(), "", record);
     write_progress(check_.folders().progress(), record);
     fmt::print("\n{}", hint_text(hint, style_.width));
-  } catch (const Error& error) {
+  } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());
   }
 }
@@ -297,7 +303,7 @@ Going Session::run() {
       case 'R':
         try {
           reset();
-        } catch (const Error& error) {
+        } catch (const std::exception& error) {
           fmt::print("error: {}\n", error.what());
         }
         break;

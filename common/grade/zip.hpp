@@ -17,7 +17,8 @@ struct PackedFile {
 using PackedFiles = std::map<std::string, PackedFile>;
 
 /// The archive of `files`, deflated, in the order of their paths, all of the same date: the same files make the same
-/// bytes. Throws Error naming the path that the archive library does not take.
+/// bytes (in one time zone: a ZIP knows local time alone). Throws Error naming the path that the archive library does
+/// not take.
 std::string make_zip(const PackedFiles& files);
 
 }  // namespace atelier::grade

@@ -30,8 +30,8 @@ double srgb_encode(double linear);
 float srgb_decode(float encoded);
 double srgb_decode(double encoded);
 
-/// The sRGB code that an 8-bit file holds for a linear value: 255 times the encoded one, rounded; 0 below 0 and for NaN,
-/// 255 above 1.
+/// The sRGB code that an 8-bit file holds for a linear value: 255 times the encoded one, rounded; 0 below 0 and for
+/// NaN, 255 above 1.
 std::uint8_t srgb_code(float linear);
 
 /// The curve on red, green and blue; opacity is no colour and stays as it is.

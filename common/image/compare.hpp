@@ -72,7 +72,7 @@ enum class Measure {
   degrees,  ///< of directions coded as n/2 + 1/2, of any length: the angle between them, 0..180. A vector shorter than
             ///< 0.02 has no direction (eight bits code zero as 0.004 at best): 0 from another such, 180 from all
             ///< others. Good to 0.02 degrees, but for the last degree before 180
-  number,  ///< of data: the largest difference of a channel, in the data's own unit
+  number,   ///< of data: the largest difference of a channel, in the data's own unit
 };
 
 struct Difference {

@@ -231,8 +231,12 @@ TEST_CASE("a line of a solution stops a release, wherever it stands") {
     project.write("cmake/steps.cmake", std::string("# ") + shader_secret);
     CHECK(mentions(error_of([&] { project.release({move}); }), {"cmake/steps.cmake", shader_secret}));
   }
-  SECTION("unless everybody is given it") {
+  SECTION("quoted in a handout") {
     project.write("handouts/01-move.md", secret);
+    CHECK(mentions(error_of([&] { project.release({move}); }), {"01-move.md", secret}));
+  }
+  SECTION("unless everybody is given it") {
+    project.write("common/given.hpp", secret);
     CHECK(error_of([&] { project.release({move}); }).empty());
   }
   SECTION("unless it says too little") {

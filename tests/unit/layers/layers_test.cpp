@@ -37,8 +37,7 @@ struct Include {
 
 std::vector<Include> includes_below(const fs::path& folder) {
   static const std::regex line_of_include(R"re(^\s*#\s*include\s*"([^"]+)")re");
-      std::vector<Include>
-          found;
+  std::vector<Include> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     const std::string extension = entry.path().extension().string();
     if (extension != ".hpp" && extension != ".cpp" && extension != ".glsl") continue;
