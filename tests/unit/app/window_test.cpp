@@ -77,8 +77,8 @@ TEST_CASE("a window opens, shows what --out draws, and quits", "[window]") {
   REQUIRE(window.width() >= 320);  // the panel stands to the right, where there is one
   REQUIRE(window.height() == 240);
 
+  const auto context = make_headless_context();  // first, because the step's objects go before it does
   test::FakeStep step;
-  const auto context = make_headless_context();
   Painter painter(step, *context, Implementations({{home.implementations, ""}}));
   Case picture;
   picture.scene = "ring";
