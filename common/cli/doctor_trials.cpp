@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
-#if defined(__linux__)
-#include <sys/inotify.h>
-#endif
 
 #include <fstream>
 
-#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/file_watch.hpp"
 #include "case/printable.hpp"
 #include "judge/runner.hpp"
 
@@ -80,20 +77,13 @@ ContextTrials try_contexts(const ProjectFolders& folders) {
 }
 
 bool tells_of_writes(const fs::path& folder) {
-#if defined(__linux__)
-  const Descriptor events(::inotify_init1(IN_CLOEXEC | IN_NONBLOCK));
-  const bool watched = events && ::inotify_add_watch(events.get(), folder.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO) >= 0;
-#endif
   const fs::path file = folder / fmt::format(".atelier-doctor-{}", ::getpid());
+  const FileWatch watch({file});
   write_file(file, std::string_view("atelier doctor looks whether the system tells of this file\n"));
   std::error_code ignored;
   fs::remove(file, ignored);
-#if defined(__linux__)
-  pollfd event{events.get(), POLLIN, 0};
-  return watched && ::poll(&event, 1, 1000) == 1;
-#else
-  return false;
-#endif
+  pollfd event{watch.descriptor(), POLLIN, 0};  // poll passes over -1
+  return ::poll(&event, 1, 1000) == 1;
 }
 
 SandboxTrial try_sandbox() {

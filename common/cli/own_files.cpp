@@ -4,6 +4,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "judge/source_file.hpp"
 
 namespace atelier {
 
@@ -31,10 +32,8 @@ grade::PackedFiles read_own_files(const ProjectFolders& folders, const CourseSte
   grade::PackedFiles files;
   for (const std::string& file : step.files) {
     const fs::path path = folders.steps() / step.name / file;
-    const fs::file_status status = fs::symlink_status(path);
-    if (!fs::exists(status)) throw Error(fmt::format("{}: is missing; nothing was packed", path.string()));
-    if (!fs::is_regular_file(status))
-      throw Error(fmt::format("{}: must be a regular file, no link or folder; nothing was packed", path.string()));
+    if (const std::string why = judge::why_not_taken(path); !why.empty())
+      throw Error(fmt::format("{}: {}; it must be a regular file of yours; nothing was packed", path.string(), why));
     files[step.name + "/" + file].bytes = read_file(path, judge::source_limit);
   }
   return files;

@@ -52,8 +52,14 @@ bool is_whole(const fs::path& file) {
 
 /// A step with only the failure that comes first: what to mend next.
 judge::StepResult first_failure(const judge::StepResult& result) {
-  judge::StepResult first = result;
-  first.cases.clear();
+  // Not a copy to be emptied: every case carries its pictures.
+  judge::StepResult first{.step = result.step,
+                          .title = result.title,
+                          .score = result.score,
+                          .max_score = result.max_score,
+                          .cases = {},
+                          .build_log = result.build_log,
+                          .implementations = result.implementations};
   for (const judge::CaseGroup& group : judge::case_groups(result))
     if (group.front()->status != judge::Status::passed) {
       for (const judge::CaseResult* c : group) first.cases.push_back(*c);
