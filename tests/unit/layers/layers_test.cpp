@@ -22,9 +22,10 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"gl", {"base", "image"}},
     {"scene", {"base", "image"}},
     {"scene_import", {"base", "image", "image_io", "scene"}},
+    {"oracle", {"base", "image", "scene"}},  // the truth shares nothing with what it is the truth for
     {"case", {"base", "image"}},
     {"render", {"base", "case", "gl", "image", "scene"}},
-    {"app", {"base", "case", "gl", "image", "image_io", "render", "scene", "scene_import"}},
+    {"app", {"base", "case", "gl", "image", "image_io", "oracle", "render", "scene", "scene_import"}},
     {"judge", {"base", "case", "image", "image_io"}},  // no GL: it reads what programs wrote, and trusts none of it
     {"measure", {"base", "case", "image", "judge"}},  // it runs step programs, and links none
     {"grade", {"base", "case", "gl", "judge"}},

@@ -1,0 +1,38 @@
+// Which ray belongs to which point of the picture, and how deep a point lies.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "oracle/ray.hpp"
+#include "scene/scene.hpp"
+
+namespace atelier::oracle {
+
+class CameraRays {
+ public:
+  /// Of a picture of `size` pixels, which shows camera.fov_y (or camera.height) from bottom to top, and as much from
+  /// side to side as its shape has it. Where `up` is parallel to the way the camera looks, the first of the axes x, y,
+  /// z with the smallest |component| of that direction stands in, as the contract of step 01 has it; where eye and
+  /// target are one, it looks along -z.
+  CameraRays(const Camera& camera, const glm::ivec2& size);
+
+  /// The ray through a point of the picture, in pixels from its upper left corner: (x + 0.5, y + 0.5) is the middle of
+  /// pixel (x, y), where OpenGL takes its sample. t is the distance along the axis, and the stretch runs from the near
+  /// plane to the far plane.
+  Ray through(const glm::dvec2& pixel) const;
+
+  /// The depth that OpenGL stores at distance z along the axis: 0 at the near plane, 1 at the far plane;
+  ///   perspective    f (z - n) / (z (f - n))        reversed:  n (f - z) / (z (f - n))
+  ///   orthographic   (z - n) / (f - n)              reversed:  (f - z) / (f - n)
+  double depth(double z, bool reversed) const;
+
+  const glm::dvec3& eye() const { return eye_; }
+
+ private:
+  bool orthographic_;
+  glm::dvec3 eye_, right_, up_, ahead_;  ///< of unit length
+  glm::dvec2 size_, half_;               ///< pixels; what is seen to the right and above: metres, or tangents of angles
+  double near_, far_;
+};
+
+}  // namespace atelier::oracle

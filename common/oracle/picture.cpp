@@ -1,0 +1,125 @@
+#include "oracle/picture.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include "base/error.hpp"
+
+namespace atelier::oracle {
+
+namespace {
+
+const std::map<std::string, Output>& outputs() {
+  static const std::map<std::string, Output> named = {{"colour", Output::colour},     {"diffuse", Output::diffuse},
+                                                      {"specular", Output::specular}, {"normal", Output::normal},
+                                                      {"depth", Output::depth},       {"position", Output::position},
+                                                      {"texcoord", Output::texcoord}, {"thing", Output::thing}};
+  return named;
+}
+
+/// What one ray has to say.
+glm::dvec3 sample(const World& world, const CameraRays& camera, const PictureRequest& request, const Ray& ray) {
+  const auto point = world.seen(ray);
+  if (!point) return request.output == Output::colour ? glm::dvec3(world.scene().background) : glm::dvec3(0);
+  const auto shaded = [&](Part part) { return shade(world, *point, camera.eye(), request.shading, part); };
+  switch (request.output) {
+    case Output::colour:
+      return shaded(Part::all);
+    case Output::diffuse:
+      return shaded(Part::diffuse);
+    case Output::specular:
+      return shaded(Part::specular);
+    case Output::normal:
+      return point->normal * 0.5 + 0.5;
+    case Output::depth:
+      return glm::dvec3(camera.depth(point->t, request.reversed_depth));
+    case Output::position:
+      return point->position - request.position_origin;
+    case Output::texcoord:
+      return {point->texcoord, 0};
+    case Output::thing:
+      return glm::dvec3(point->thing + 1);
+  }
+  return glm::dvec3(0);
+}
+
+void trace_row(const World& world, const CameraRays& camera, const PictureRequest& request, int y, Image& image) {
+  const int n = request.samples;
+  for (int x = 0; x < image.width(); ++x) {
+    glm::dvec3 sum(0);
+    for (int row = 0; row < n; ++row)
+      for (int column = 0; column < n; ++column)
+        sum += sample(world, camera, request, camera.through({x + (column + 0.5) / n, y + (row + 0.5) / n}));
+    const glm::vec3 mean(sum / double(n * n));
+    image.at(x, y) = {mean.r, mean.g, mean.b, 1};
+  }
+}
+
+/// Hands out the rows of a picture, and keeps the first thing that was thrown over one of them.
+class Rows {
+ public:
+  explicit Rows(int count) : count_(count) {}
+
+  /// Does rows until none is left. `after_each` is told the share of rows that have been handed out.
+  void work(const std::function<void(int)>& row, const std::function<void(double)>& after_each) {
+    try {
+      for (int y = next_++; y < count_; y = next_++) {
+        row(y);
+        if (after_each) after_each(double(std::min(next_.load(), count_)) / count_);
+      }
+    } catch (...) {
+      next_ = count_;  // the others may go home
+      const std::lock_guard lock(guard_);
+      if (!thrown_) thrown_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  int count_;
+  std::atomic<int> next_ = 0;
+  std::mutex guard_;
+  std::exception_ptr thrown_;
+};
+
+}  // namespace
+
+std::vector<std::string> output_names() {
+  std::vector<std::string> names;
+  for (const auto& [name, output] : outputs()) names.push_back(name);
+  return names;
+}
+
+Output output_named(const std::string& name) {
+  const auto found = outputs().find(name);
+  if (found == outputs().end())
+    throw Error(fmt::format("output '{}' has no ground truth; {} have one", name, fmt::join(output_names(), ", ")));
+  return found->second;
+}
+
+Image trace(const World& world, const PictureRequest& request) {
+  if (request.samples < 1 || request.samples > 64)
+    throw Error(fmt::format("{} x {} samples a pixel (allowed: 1 x 1 to 64 x 64)", request.samples, request.samples));
+  Image image(request.size.x, request.size.y);
+  const CameraRays camera(request.camera, request.size);
+  Rows rows(request.size.y);
+  const auto row = [&](int y) { trace_row(world, camera, request, y, image); };
+  {
+    const int threads = request.threads > 0 ? request.threads : std::max(1, int(std::thread::hardware_concurrency()));
+    std::vector<std::jthread> helpers;
+    for (int i = 1; i < threads; ++i) helpers.emplace_back([&] { rows.work(row, {}); });
+    rows.work(row, request.progress);
+  }
+  rows.rethrow();
+  return image;
+}
+
+}  // namespace atelier::oracle

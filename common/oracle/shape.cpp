@@ -1,0 +1,119 @@
+#include "oracle/shape.hpp"
+
+#include <array>
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+#include <utility>
+
+namespace atelier::oracle {
+
+namespace {
+
+constexpr double tau = 2 * glm::pi<double>();
+
+/// Both solutions of a t^2 + 2 h t + c = 0, the smaller first. The larger root in size comes from a sum of like signs,
+/// the other from their product c / a: no digits cancel (Press et al., "Numerical Recipes", 5.6).
+std::optional<std::array<double, 2>> solve_quadratic(double a, double h, double c) {
+  const double discriminant = h * h - a * c;
+  if (!(discriminant >= 0) || a == 0) return std::nullopt;
+  const double q = -(h + std::copysign(std::sqrt(discriminant), h));
+  double first = q / a, second = q != 0 ? c / q : q / a;
+  if (first > second) std::swap(first, second);
+  return std::array{first, second};
+}
+
+bool counts(const Ray& ray, double t) {
+  return t >= ray.least && t <= ray.most;
+}
+
+bool faces(const Ray& ray, const glm::dvec3& normal) {
+  return glm::dot(ray.direction, normal) < 0;
+}
+
+/// The share of a whole turn from +x to (x, y), 0 <= share < 1.
+double turn_share(double x, double y) {
+  const double share = std::atan2(y, x) / tau;
+  return share < 0 ? share + 1 : share;
+}
+
+std::optional<ShapeHit> meet(const Sphere& sphere, const Ray& ray, bool front_only) {
+  const glm::dvec3 &o = ray.origin, &d = ray.direction;
+  const auto roots = solve_quadratic(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - sphere.radius * sphere.radius);
+  if (!roots) return std::nullopt;
+  for (const double t : *roots) {
+    if (!counts(ray, t)) continue;
+    const glm::dvec3 normal = glm::normalize(ray.at(t));
+    if (front_only && !faces(ray, normal)) continue;
+    const double v = std::asin(glm::clamp(normal.y, -1.0, 1.0)) / glm::pi<double>() + 0.5;
+    return ShapeHit{t, normal, {turn_share(normal.x, -normal.z), v}};
+  }
+  return std::nullopt;
+}
+
+std::optional<ShapeHit> meet(const CylinderWall& wall, const Ray& ray, bool front_only) {
+  const glm::dvec2 o(ray.origin.x, ray.origin.z), d(ray.direction.x, ray.direction.z);
+  const auto roots = solve_quadratic(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - wall.radius * wall.radius);
+  if (!roots) return std::nullopt;
+  for (const double t : *roots) {
+    const glm::dvec3 point = ray.at(t);
+    if (!counts(ray, t) || point.y < 0 || point.y > wall.height) continue;
+    const glm::dvec3 outwards = glm::normalize(glm::dvec3(point.x, 0, point.z));
+    const glm::dvec3 normal = wall.inside ? -outwards : outwards;
+    if (front_only && !faces(ray, normal)) continue;
+    const double u = turn_share(point.x, wall.inside ? point.z : -point.z);
+    return ShapeHit{t, normal, {u, point.y / wall.height}};
+  }
+  return std::nullopt;
+}
+
+std::optional<ShapeHit> meet(const Rectangle& flat, const Ray& ray, bool front_only) {
+  const glm::dvec3 normal = glm::normalize(glm::cross(flat.half_u, flat.half_v));
+  const double slope = glm::dot(ray.direction, normal);
+  if (slope == 0 || (front_only && slope > 0)) return std::nullopt;
+  const double t = glm::dot(flat.centre - ray.origin, normal) / slope;
+  if (!counts(ray, t)) return std::nullopt;
+  const glm::dvec3 from_centre = ray.at(t) - flat.centre;
+  const double a = glm::dot(from_centre, flat.half_u) / glm::dot(flat.half_u, flat.half_u),
+               b = glm::dot(from_centre, flat.half_v) / glm::dot(flat.half_v, flat.half_v);
+  if (!(std::abs(a) <= 1 && std::abs(b) <= 1)) return std::nullopt;
+  return ShapeHit{t, normal, {(a + 1) / 2, (b + 1) / 2}};
+}
+
+/// The corners of a box around the surface in its own space.
+Box3 own_bounds(const Surface& surface) {
+  Box3 box;
+  if (const auto* sphere = std::get_if<Sphere>(&surface)) {
+    box.add(glm::dvec3(-sphere->radius));
+    box.add(glm::dvec3(sphere->radius));
+  } else if (const auto* wall = std::get_if<CylinderWall>(&surface)) {
+    box.add({-wall->radius, 0, -wall->radius});
+    box.add({wall->radius, wall->height, wall->radius});
+  } else {
+    const auto& flat = std::get<Rectangle>(surface);
+    for (const double a : {-1.0, 1.0})
+      for (const double b : {-1.0, 1.0}) box.add(flat.centre + a * flat.half_u + b * flat.half_v);
+  }
+  return box;
+}
+
+}  // namespace
+
+std::optional<ShapeHit> intersect(const Surface& surface, const Ray& ray, bool front_only) {
+  return std::visit([&](const auto& s) { return meet(s, ray, front_only); }, surface);
+}
+
+Box3 bounds(const Shape& shape) {
+  const Box3 own = own_bounds(shape.surface);
+  Box3 box;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::dvec3 point(corner & 1 ? own.high.x : own.low.x, corner & 2 ? own.high.y : own.low.y,
+                           corner & 4 ? own.high.z : own.low.z);
+    box.add(glm::dvec3(shape.object_to_world * glm::dvec4(point, 1)));
+  }
+  const glm::dvec3 margin = 1e-12 * (glm::abs(box.low) + glm::abs(box.high) + (box.high - box.low));
+  box.low -= margin;
+  box.high += margin;
+  return box;
+}
+
+}  // namespace atelier::oracle

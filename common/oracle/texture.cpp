@@ -1,0 +1,39 @@
+#include "oracle/texture.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atelier::oracle {
+
+namespace {
+
+/// The texel that stands at place i of the endless row that `wrap` makes of `count` texels. As a double, whose whole
+/// numbers reach further than an int's.
+int wrapped(double i, int count, Wrap wrap) {
+  const auto remainder = [&](double period) { return int(i - period * std::floor(i / period)); };
+  if (wrap == Wrap::repeat) return std::min(remainder(count), count - 1);
+  if (wrap == Wrap::clamp_to_edge) return int(std::clamp(i, 0.0, double(count - 1)));
+  const int place = std::clamp(remainder(2.0 * count), 0, 2 * count - 1);
+  return place < count ? place : 2 * count - 1 - place;
+}
+
+/// A texel by its column from the left and its row from the bottom.
+glm::dvec3 texel(const Texture& texture, double column, double row) {
+  const Image& image = texture.pixels;
+  const Rgba& p = image.at(wrapped(column, image.width(), texture.wrap),
+                           image.height() - 1 - wrapped(row, image.height(), texture.wrap));
+  return {p.r, p.g, p.b};
+}
+
+}  // namespace
+
+glm::dvec3 texel_colour(const Texture& texture, const glm::dvec2& texcoord) {
+  const double x = texcoord.x * texture.pixels.width(), y = texcoord.y * texture.pixels.height();
+  if (texture.filter == Filter::nearest) return texel(texture, std::floor(x), std::floor(y));
+  const double left = std::floor(x - 0.5), low = std::floor(y - 0.5), right_share = x - 0.5 - left,
+               high_share = y - 0.5 - low;
+  return glm::mix(glm::mix(texel(texture, left, low), texel(texture, left + 1, low), right_share),
+                  glm::mix(texel(texture, left, low + 1), texel(texture, left + 1, low + 1), right_share), high_share);
+}
+
+}  // namespace atelier::oracle

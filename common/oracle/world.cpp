@@ -1,0 +1,199 @@
+#include "oracle/world.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace atelier::oracle {
+
+namespace {
+
+/// The upper left 3x3 block divided by its largest entry: products of entries then neither overflow nor vanish.
+glm::dmat3 scaled_block(const glm::dmat4& model) {
+  glm::dmat3 m(model);
+  double largest = 0;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
+  return largest > 0 ? m * (1 / largest) : m;
+}
+
+/// Whether the model turns left hands into right ones. Volumes below 1e-13 of what the columns could span are what
+/// rounding leaves of a flat model, whose sign means nothing.
+bool mirrors(const glm::dmat4& model) {
+  const glm::dmat3 m = scaled_block(model);
+  const double span = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
+  return glm::determinant(m) < -1e-13 * span;
+}
+
+glm::dvec3 unit_or_zero(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : glm::dvec3(0);
+}
+
+/// The normal in world space. A model that is flattened in two directions leaves nothing of some normals; then the
+/// normal stays as it was.
+glm::dvec3 world_normal(const glm::dmat3& normal_matrix, const glm::dvec3& normal) {
+  const glm::dvec3 turned = normal_matrix * normal;
+  return turned != glm::dvec3(0) ? glm::normalize(turned) : normal;
+}
+
+}  // namespace
+
+glm::dmat3 normal_matrix_exact(const glm::dmat4& model) {
+  const glm::dmat3 m = scaled_block(model);
+  const glm::dmat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
+  return mirrors(model) ? -cofactor : cofactor;
+}
+
+World::World(const Scene& scene, std::vector<Shape> shapes) : scene_(scene) {
+  validate(scene);
+  place_nodes();
+  place_shapes(std::move(shapes));
+  grow_tree();
+}
+
+void World::place_nodes() {
+  const std::vector<glm::dmat4> matrices = world_matrices_exact(scene_.nodes);
+  for (std::size_t i = 0; i < scene_.nodes.size(); ++i) {
+    if (!scene_.nodes[i].mesh) continue;
+    const Mesh& mesh = scene_.meshes[std::size_t(*scene_.nodes[i].mesh)];
+    const glm::dmat3 normal_matrix = normal_matrix_exact(matrices[i]);
+    const auto base = std::uint32_t(corners_.size());
+    for (const Vertex& vertex : mesh.vertices)
+      corners_.push_back({glm::dvec3(matrices[i] * glm::dvec4(glm::dvec3(vertex.position), 1)),
+                          world_normal(normal_matrix, glm::dvec3(vertex.normal)), glm::dvec2(vertex.texcoord)});
+    const bool mirrored = mirrors(matrices[i]);
+    for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+      const std::uint32_t a = base + mesh.indices[at], b = base + mesh.indices[at + 1], c = base + mesh.indices[at + 2];
+      triangles_.push_back({{a, mirrored ? c : b, mirrored ? b : c}, int(i)});
+    }
+  }
+}
+
+void World::place_shapes(std::vector<Shape> shapes) {
+  for (Shape& shape : shapes) {
+    if (shape.material < 0 || std::size_t(shape.material) >= scene_.materials.size())
+      throw Error(fmt::format("scene '{}': shape {}: material {} of {}", scene_.name, shapes_.size(), shape.material,
+                              scene_.materials.size()));
+    const glm::dmat4 inverse = glm::inverse(shape.object_to_world);
+    for (int column = 0; column < 4; ++column)
+      for (int row = 0; row < 4; ++row)
+        if (!std::isfinite(inverse[column][row]))
+          throw Error(fmt::format("scene '{}': shape {}: its matrix cannot be inverted", scene_.name, shapes_.size()));
+    const glm::dmat3 normal_matrix = normal_matrix_exact(shape.object_to_world);
+    shapes_.push_back({std::move(shape), inverse, normal_matrix});
+  }
+}
+
+void World::grow_tree() {
+  std::vector<Box3> boxes;
+  boxes.reserve(triangles_.size() + shapes_.size());
+  for (const Triangle& triangle : triangles_) {
+    Box3& box = boxes.emplace_back();
+    for (const std::uint32_t corner : triangle.corners) box.add(corners_[corner].position);
+  }
+  for (const PlacedShape& placed : shapes_) boxes.push_back(bounds(placed.shape));
+  tree_ = Bvh(boxes);
+}
+
+// ---- Asking it
+
+/// t is the same in both spaces, since the direction is not made a unit vector.
+Ray World::ray_in_object_space(const PlacedShape& placed, const Ray& ray) const {
+  return {glm::dvec3(placed.world_to_object * glm::dvec4(ray.origin, 1)),
+          glm::dvec3(placed.world_to_object * glm::dvec4(ray.direction, 0)), ray.least, ray.most};
+}
+
+/// The nearest so far.
+struct World::Found {
+  double t;
+  std::size_t thing = std::numeric_limits<std::size_t>::max();
+  TriangleHit on_triangle;
+  ShapeHit on_shape;
+
+  bool nearer(double other, std::size_t index) const { return other < t || (other == t && index < thing); }
+};
+
+std::optional<SurfacePoint> World::seen(const Ray& ray) const {
+  const ShearedRay sheared(ray);
+  Found found{.t = ray.most};
+  tree_.traverse(ray, found.t, [&](std::uint32_t index) {
+    if (index < triangles_.size()) {
+      const Triangle& triangle = triangles_[index];
+      const auto hit = intersect(sheared, corners_[triangle.corners[0]].position,
+                                 corners_[triangle.corners[1]].position, corners_[triangle.corners[2]].position);
+      if (!hit || !found.nearer(hit->t, index)) return false;
+      const Node& node = scene_.nodes[std::size_t(triangle.node)];
+      if (!hit->front && !scene_.materials[std::size_t(node.material)].two_sided) return false;
+      found.t = hit->t, found.thing = index, found.on_triangle = *hit;
+    } else {
+      const PlacedShape& placed = shapes_[index - triangles_.size()];
+      const bool two_sided = scene_.materials[std::size_t(placed.shape.material)].two_sided;
+      const auto hit = intersect(placed.shape.surface, ray_in_object_space(placed, ray), !two_sided);
+      if (!hit || !found.nearer(hit->t, index)) return false;
+      found.t = hit->t, found.thing = index, found.on_shape = *hit;
+    }
+    return false;
+  });
+  if (found.thing == std::numeric_limits<std::size_t>::max()) return std::nullopt;
+  SurfacePoint point = found.thing < triangles_.size()
+                           ? point_on_triangle(triangles_[found.thing], found.on_triangle)
+                           : point_on_shape(found.thing - triangles_.size(), found.on_shape, ray);
+  point.t = found.t;
+  return point;
+}
+
+bool World::blocked(const Ray& ray) const {
+  const ShearedRay sheared(ray);
+  bool blocked = false;
+  tree_.traverse(ray, ray.most, [&](std::uint32_t index) {
+    if (index < triangles_.size()) {
+      const Triangle& triangle = triangles_[index];
+      blocked = scene_.nodes[std::size_t(triangle.node)].casts_shadow &&
+                intersect(sheared, corners_[triangle.corners[0]].position, corners_[triangle.corners[1]].position,
+                          corners_[triangle.corners[2]].position);
+    } else {
+      const PlacedShape& placed = shapes_[index - triangles_.size()];
+      blocked = placed.shape.casts_shadow && intersect(placed.shape.surface, ray_in_object_space(placed, ray), false);
+    }
+    return blocked;
+  });
+  return blocked;
+}
+
+SurfacePoint World::point_on_triangle(const Triangle& triangle, const TriangleHit& hit) const {
+  const Corner &a = corners_[triangle.corners[0]], &b = corners_[triangle.corners[1]],
+               &c = corners_[triangle.corners[2]];
+  const Node& node = scene_.nodes[std::size_t(triangle.node)];
+  const auto mix = [&](const auto& x, const auto& y, const auto& z) { return x + hit.b * (y - x) + hit.c * (z - x); };
+  SurfacePoint point;
+  point.position = mix(a.position, b.position, c.position);
+  point.normal = unit_or_zero(mix(a.normal, b.normal, c.normal));
+  point.flat_normal = unit_or_zero(glm::cross(b.position - a.position, c.position - a.position));
+  point.texcoord = mix(a.texcoord, b.texcoord, c.texcoord);
+  point.material = node.material;
+  point.thing = triangle.node;
+  point.receives_shadow = node.receives_shadow;
+  if (!hit.front) point.normal = -point.normal, point.flat_normal = -point.flat_normal;
+  return point;
+}
+
+SurfacePoint World::point_on_shape(std::size_t index, const ShapeHit& hit, const Ray& ray) const {
+  const PlacedShape& placed = shapes_[index];
+  SurfacePoint point;
+  point.position = ray.at(hit.t);
+  point.normal = unit_or_zero(placed.normal_matrix * hit.normal);
+  if (glm::dot(point.normal, ray.direction) > 0) point.normal = -point.normal;  // two-sided, from behind
+  point.flat_normal = point.normal;
+  point.texcoord = hit.texcoord;
+  point.material = placed.shape.material;
+  point.thing = int(scene_.nodes.size() + index);
+  point.receives_shadow = placed.shape.receives_shadow;
+  return point;
+}
+
+}  // namespace atelier::oracle
