@@ -20,12 +20,11 @@ void tell(std::optional<int> progress, const std::string& line) {
   if (write(*progress, line.data(), line.size()) != ssize_t(line.size())) _exit(exit_usage);
 }
 
-void answer(Painter& painter, const Case& c, const std::filesystem::path& folder) {
+using Answer = std::function<void(const Case&)>;
+
+void answer_or_say_why_not(const Answer& answer, const Case& c, const std::filesystem::path& folder) {
   try {
-    if (c.probe.empty())
-      write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
-    else
-      write_values(folder / (c.name + ".values"), painter.probe(c));
+    answer(c);
   } catch (const ShaderError& error) {
     write_case_error(folder / (c.name + ".build_error"), error.what());
   } catch (const Error& error) {
@@ -37,13 +36,24 @@ void answer(Painter& painter, const Case& c, const std::filesystem::path& folder
 
 }  // namespace
 
-void answer_cases(Painter& painter, const std::filesystem::path& file, const std::filesystem::path& folder,
+void answer_cases(const Answer& answer, const std::filesystem::path& file, const std::filesystem::path& folder,
                   std::optional<int> progress) {
   for (const Case& c : read_cases(file)) {
     tell(progress, "begin " + c.name + "\n");
-    answer(painter, c, folder);
+    answer_or_say_why_not(answer, c, folder);
     tell(progress, "end " + c.name + "\n");
   }
+}
+
+void answer_cases(Painter& painter, const std::filesystem::path& file, const std::filesystem::path& folder,
+                  std::optional<int> progress) {
+  const auto answer = [&](const Case& c) {
+    if (c.probe.empty())
+      write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
+    else
+      write_values(folder / (c.name + ".values"), painter.probe(c));
+  };
+  answer_cases(answer, file, folder, progress);
 }
 
 }  // namespace atelier

@@ -2,15 +2,20 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "app/picture.hpp"
 
 namespace atelier {
 
-/// Writes DIR/NAME.pixels, .values, .build_error, .error or .exception for each case (see case/exchange.hpp). What a
-/// student's function throws costs that case alone; the rest go on. `progress`, where given, is a descriptor that gets
-/// "begin NAME\n" and "end NAME\n".
+/// Calls `answer`, which writes what it has to say, for each case of a file. What it throws is written to
+/// DIR/NAME.build_error, .error or .exception (see case/exchange.hpp), costs that case alone, and the rest go on.
+/// `progress`, where given, is a descriptor that gets "begin NAME\n" and "end NAME\n".
+void answer_cases(const std::function<void(const Case&)>& answer, const std::filesystem::path& cases,
+                  const std::filesystem::path& folder, std::optional<int> progress);
+
+/// Draws or calls: DIR/NAME.pixels or .values for each case.
 void answer_cases(Painter& painter, const std::filesystem::path& cases, const std::filesystem::path& folder,
                   std::optional<int> progress);
 

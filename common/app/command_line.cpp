@@ -69,6 +69,12 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
                                   ->capture_default_str();
   CLI::Option* const cases =
       option(what, "--cases", line.cases, "Answer every case in this file; what the judge calls");
+  CLI::Option* const truth =
+      app.add_flag("--truth", line.truth, "Trace the ground truth, in double precision, instead of drawing")
+          ->group(what);
+  CLI::Option* const samples = option(what, "--samples", line.samples, "Of the truth: N x N in each pixel")
+                                   ->check(CLI::Range(1, 64))
+                                   ->capture_default_str();
   const std::vector<CLI::Option*> of_a_picture = {
       option(picture, "--scene", line.picture.scene, "A built-in scene, or a .gltf, .glb or .obj file"),
       option(picture, "--size", size, "WIDTHxHEIGHT in pixels"),
@@ -89,7 +95,10 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   json->needs(list);
   progress->needs(cases);
   cases->needs(out);
+  truth->needs(out);
+  samples->needs(truth);
   record->excludes(out);
+  for (CLI::Option* other : {record, kind, stats}) truth->excludes(other);  // there is no driver, and nothing is drawn
   for (CLI::Option* other : {out, record, cases, kind, stats}) list->excludes(other);
   for (CLI::Option* other : {record, stats}) cases->excludes(other);
   for (CLI::Option* other : of_a_picture) {

@@ -23,6 +23,9 @@ struct CommandLine {
   std::filesystem::path record;  ///< --record: .gif, or a .png, .bmp or .exr whose frames are numbered
   int frames = 48;
 
+  bool truth = false;  ///< --truth: the oracle's pictures instead of OpenGL's
+  int samples = 1;     ///< --samples: n x n a pixel of the truth
+
   std::filesystem::path cases;  ///< --cases: what the judge calls
   std::optional<int> progress;  ///< --progress: a descriptor for "begin NAME" and "end NAME"
 };

@@ -27,8 +27,8 @@ Painter::Painter(StepProgram& program, HeadlessContext& context, const Implement
   program_.open(context_.gl(), implementations_);
 }
 
-Settings Painter::settings_for(const Case& c) const {
-  Settings settings(program_.description().settings);
+Settings settings_for(const StepDescription& description, const Case& c) {
+  Settings settings(description.settings);
   for (const auto& [name, value] : c.settings) settings.set(name, value);
   return settings;
 }
@@ -49,7 +49,7 @@ Image Painter::paint(const Case& picture, double time) {
     for (const OutputSpec& output : outputs) names.push_back(output.name);
     throw Error(fmt::format("output '{}': {} offers {}", picture.output, description.name, fmt::join(names, ", ")));
   }
-  const Settings settings = settings_for(picture);
+  const Settings settings = settings_for(description, picture);
   program_.load(picture.scene.empty() ? description.scenes.at(0) : picture.scene, settings);
   const Target& target = target_for({.width = picture.size.x,
                                      .height = picture.size.y,

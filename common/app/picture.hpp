@@ -12,6 +12,9 @@ namespace atelier {
 /// The scene's camera with what a case changes of it.
 Camera apply(const CaseCamera& change, Camera camera);
 
+/// The program's settings with what a case changes of them. Throws Error for an unknown name or a value out of range.
+Settings settings_for(const StepDescription& description, const Case& c);
+
 class Painter {
  public:
   /// Opens `program` on `context`; both must outlive the painter.
@@ -26,7 +29,6 @@ class Painter {
   Gl& gl() { return context_.gl(); }
 
  private:
-  Settings settings_for(const Case& c) const;
   const Target& target_for(const TargetSpec& spec);
 
   StepProgram& program_;

@@ -8,17 +8,17 @@ namespace atelier {
 
 namespace {
 
-bool lists(const StepDescription& description, const std::string& setting) {
-  return std::any_of(description.settings.begin(), description.settings.end(),
-                     [&](const SettingSpec& spec) { return spec.name == setting; });
-}
-
 bool is_model_file(const std::string& name) {
   const std::string extension = std::filesystem::path(name).extension().string();
   return extension == ".gltf" || extension == ".glb" || extension == ".obj";
 }
 
 }  // namespace
+
+bool lists(const StepDescription& description, const std::string& setting) {
+  return std::any_of(description.settings.begin(), description.settings.end(),
+                     [&](const SettingSpec& spec) { return spec.name == setting; });
+}
 
 std::vector<SettingSpec> view_settings() {
   return {
@@ -35,11 +35,12 @@ std::vector<SettingSpec> view_settings() {
 }
 
 SceneProgram::SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features,
-                           MakeScene make_scene)
+                           MakeScene make_scene, MakeTruth make_truth)
     : description_(std::move(description)),
       transforms_(std::move(transforms)),
       make_features_(std::move(features)),
-      make_scene_(std::move(make_scene)) {
+      make_scene_(std::move(make_scene)),
+      make_truth_(std::move(make_truth)) {
   description_.imports = true;
   description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
   description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
@@ -69,6 +70,13 @@ void SceneProgram::draw(const Frame& frame, const Settings& settings) {
   if (lists(description_, "world.camera_relative")) view.camera_relative = settings.flag("world.camera_relative");
   if (lists(description_, "draw.wireframe")) view.wireframe = settings.flag("draw.wireframe");
   renderer_->render(view, frame.target);
+}
+
+Image SceneProgram::truth(const TruthRequest& request, const Settings& settings) const {
+  if (!make_truth_) return StepProgram::truth(request, settings);
+  std::optional<Scene> model;
+  if (is_model_file(request.scene)) model = import_scene(request.scene);
+  return trace_scene(make_truth_(request, settings, std::move(model)), request, description_, settings);
 }
 
 }  // namespace atelier

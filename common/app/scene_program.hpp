@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/scene_truth.hpp"
 #include "app/step_program.hpp"
 #include "render/renderer.hpp"
 
@@ -15,8 +16,9 @@ class SceneProgram : public StepProgram {
   using MakeFeatures = std::function<std::vector<std::unique_ptr<Feature>>()>;
   using MakeScene = std::function<Scene(const std::string& name, const Settings& settings)>;
 
-  /// The description's outputs are completed by the renderer's own.
-  SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene);
+  /// The description's outputs are completed by the renderer's own. Without `make_truth` there is no ground truth.
+  SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene,
+               MakeTruth make_truth = {});
 
   const StepDescription& description() const override { return description_; }
   void open(Gl& gl, const Implementations& implementations) override;
@@ -24,6 +26,7 @@ class SceneProgram : public StepProgram {
   Camera camera() const override { return scene_.camera; }
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
+  Image truth(const TruthRequest& request, const Settings& settings) const override;
   std::string reload_changed_shaders() override { return renderer_->reload_changed_shaders(); }
 
  private:
@@ -31,6 +34,7 @@ class SceneProgram : public StepProgram {
   TransformFunctions transforms_;
   MakeFeatures make_features_;
   MakeScene make_scene_;
+  MakeTruth make_truth_;
   Scene scene_;
   std::unique_ptr<Renderer> renderer_;
 };
@@ -38,5 +42,8 @@ class SceneProgram : public StepProgram {
 /// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe". A program
 /// that lists them gets their effect.
 std::vector<SettingSpec> view_settings();
+
+/// Whether a program has a setting of this name.
+bool lists(const StepDescription& description, const std::string& setting);
 
 }  // namespace atelier

@@ -10,6 +10,7 @@
 #include "app/picture.hpp"
 #include "app/record.hpp"
 #include "app/thrown.hpp"
+#include "app/truth.hpp"
 #include "app/window.hpp"
 #include "base/error.hpp"
 #include "image_io/image_io.hpp"
@@ -27,7 +28,7 @@ void print_counts(const GlCounts& counts) {
 Encoding encoding_of(const StepDescription& description, const std::string& output) {
   for (const OutputSpec& spec : description.outputs)
     if (spec.name == output) return spec.encoding;
-  return Encoding::linear;
+  return Encoding::data;  // what the ground truth alone can show
 }
 
 /// Refuses a camera that nothing depends on, before anything is drawn.
@@ -44,6 +45,29 @@ void check_camera(const CaseCamera& given, const Camera& camera) {
                             given.eye ? "eye" : "target", given.eye ? "looks" : "stands"));
 }
 
+void take_settings(CommandLine& line, const StepDescription& description) {
+  for (const auto& [name, text] : line.settings) {
+    Settings checked(description.settings);
+    checked.set(name, std::string_view(text));
+    line.picture.settings[name] = checked.value(name);
+  }
+}
+
+/// Pictures from the oracle: no context, no shader.
+int trace(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
+  const auto program = load_step(identity, implementations);
+  if (!line.cases.empty()) {
+    trace_cases(*program, line.cases, line.out, line.samples, line.progress);
+    return exit_ok;
+  }
+  check_has_camera(program->description(), line);
+  take_settings(line, program->description());
+  const Image image = trace_case(*program, line.picture, line.samples);
+  const Encoding encoding = encoding_of(program->description(), line.picture.output);
+  write_image(line.out, image, {.encoding = encoding});
+  return exit_ok;
+}
+
 /// Everything that needs pictures but no window.
 int draw_headless(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
@@ -54,11 +78,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     return exit_ok;
   }
   check_has_camera(program->description(), line);
-  for (const auto& [name, text] : line.settings) {
-    Settings checked(program->description().settings);
-    checked.set(name, std::string_view(text));
-    line.picture.settings[name] = checked.value(name);
-  }
+  take_settings(line, program->description());
   const Encoding encoding = encoding_of(program->description(), line.picture.output);
   const Image image = painter.paint(line.picture);  // loads the scene, whose camera is the one that is changed
   const Camera camera = apply(line.picture.camera, program->camera());
@@ -85,6 +105,7 @@ int run(int count, char** arguments, const StepIdentity& identity) {
     std::fputs((line->json ? list_as_json(description) : list_as_text(description)).c_str(), stdout);
     return exit_ok;
   }
+  if (line->truth) return trace(identity, implementations, *line);
   return draw_headless(identity, implementations, *line);
 }
 

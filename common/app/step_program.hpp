@@ -2,12 +2,14 @@
 // main.cpp describes one; the shell (command line, headless drawing, window) does the rest.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "app/probe.hpp"
+#include "base/error.hpp"
 #include "case/case.hpp"
 #include "case/implementations.hpp"
 #include "case/settings.hpp"
@@ -44,6 +46,16 @@ struct Frame {
   double time = 0;  ///< seconds on a fixed clock
 };
 
+/// One picture to trace: what it ought to be, from the oracle.
+struct TruthRequest {
+  std::string scene;                     ///< a built-in scene's name, or a model file
+  CaseCamera camera;                     ///< what is absent is the scene's own
+  glm::ivec2 size{256, 256};             ///< pixels
+  std::string output = "colour";         ///< as for a frame; "thing" beside: which node is seen
+  int samples = 1;                       ///< n x n a pixel, 1..64; 1: the pixel's middle, as OpenGL takes it
+  std::function<void(double)> progress;  ///< told now and then how much is done, 0..1
+};
+
 class StepProgram {
  public:
   virtual ~StepProgram() = default;
@@ -63,9 +75,18 @@ class StepProgram {
 
   virtual void draw(const Frame& frame, const Settings& settings) = 0;
 
+  /// The ground truth for a picture, row 0 on top: what `load` and `draw` would show if they were exact, from given
+  /// code and the oracle alone. Works before `open`, without OpenGL. Settings that only trade accuracy for speed change
+  /// nothing. Throws Error where there is no truth, which is so for every picture unless a step says otherwise.
+  virtual Image truth(const TruthRequest& request, const Settings& settings) const;
+
   /// Looks whether shader files have changed and takes the new ones; returns the driver's words where it refuses them.
   virtual std::string reload_changed_shaders() { return {}; }
 };
+
+inline Image StepProgram::truth(const TruthRequest&, const Settings&) const {
+  throw Error(description().name + " has no ground truth");
+}
 
 }  // namespace atelier
 
