@@ -3,6 +3,7 @@
 #include "01-transforms/preview.hpp"
 #include "01-transforms/probes.hpp"
 #include "01-transforms/scenes.hpp"
+#include "01-transforms/truth.hpp"
 #include "app/scene_program.hpp"
 #include "gl/shader.hpp"
 
@@ -30,7 +31,7 @@ std::vector<std::unique_ptr<Feature>> features() {
 /// All scenes but one are drawn by the renderer; "triangle" is upload_triangle's own.
 class Transforms : public SceneProgram {
  public:
-  Transforms() : SceneProgram(describe(), transform_functions(), features, make_transform_scene) {}
+  Transforms() : SceneProgram(describe(), transform_functions(), features, make_transform_scene, transform_truth) {}
 
   void open(Gl& gl, const Implementations& implementations) override {
     SceneProgram::open(gl, implementations);
@@ -56,21 +57,21 @@ class Transforms : public SceneProgram {
         *gl_,
         assemble_shader_text(no_includes, "layout(location = 0) in vec3 p; void main() { gl_Position = vec4(p, 1.0); }",
                              "triangle", {}),
-        assemble_shader_text(no_includes, "out vec4 o; void main() { o = vec4(0.9, 0.5, 0.1, 1.0); }", "triangle", {}));
-    const std::array<glm::vec3, 3> corners = {glm::vec3(-0.8f, -0.6f, 0), glm::vec3(0.7f, -0.8f, 0),
-                                              glm::vec3(0.1f, 0.8f, 0)};
-    const MeshBuffers made = transforms::upload_triangle(*gl_, corners);
+        assemble_shader_text(no_includes, "out vec4 o; uniform vec3 u_colour; void main() { o = vec4(u_colour, 1.0); }",
+                             "triangle", {}));
+    const MeshBuffers made = transforms::upload_triangle(*gl_, triangle_corners);
     const GlVertexArray vertex_array(*gl_, made.vertex_array);
     const GlBuffer vertex_buffer(*gl_, made.vertex_buffer), index_buffer(*gl_, made.index_buffer);
 
     target.bind(*gl_);
-    gl_->ClearColor(0.05f, 0.06f, 0.08f, 1);
+    gl_->ClearColor(triangle_background.r, triangle_background.g, triangle_background.b, 1);
     gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl_->Disable(GL_CULL_FACE);
     gl_->Disable(GL_DEPTH_TEST);  // whatever the picture before this one left behind
     if (!vertex_array) return;    // not written yet: nothing to draw
     transforms::set_wireframe(*gl_, wireframe);
     gl_->UseProgram(program.id());
+    Uniforms(*gl_, program.id()).set("u_colour", triangle_colour);
     gl_->BindVertexArray(vertex_array.id());
     gl_->DrawArrays(GL_TRIANGLES, 0, made.count);
     gl_->BindVertexArray(0);

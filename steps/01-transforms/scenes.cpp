@@ -47,15 +47,11 @@ Scene stretched() {
 
 /// The cylindrical hall from step 01's own wall, with square floor and ceiling whose corners the wall hides.
 Scene hall(const Settings& settings) {
-  Scene scene{.name = "hall"};
-  const float radius = 6, height = 4;
-  const int plaster = matte(scene, "plaster", {0.75f, 0.7f, 0.62f}),
-            boards = matte(scene, "boards", {0.5f, 0.33f, 0.2f}), white = matte(scene, "white", {0.8f, 0.8f, 0.8f});
-  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), plaster,
-             {.name = "wall"});
-  add_object(scene, transforms::rectangle({0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}), boards, {.name = "floor"});
-  add_object(scene, transforms::rectangle({0, height, 0}, {radius, 0, 0}, {0, 0, radius}), white, {.name = "ceiling"});
-  scene.camera = {.eye = {-3.5, 1.7, 2}, .target = {4, 1.9, -2.5}, .fov_y = degrees(75), .near = 0.1f, .far = 40};
+  const float radius = hall_radius, height = hall_height;
+  Scene scene = empty_hall();
+  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), 0, {.name = "wall"});
+  add_object(scene, transforms::rectangle({0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}), 1, {.name = "floor"});
+  add_object(scene, transforms::rectangle({0, height, 0}, {radius, 0, 0}, {0, 0, radius}), 2, {.name = "ceiling"});
   return scene;
 }
 
@@ -144,6 +140,15 @@ std::vector<SettingSpec> transform_scene_settings() {
        .high = 1e7,
        .help = "how far the scene 'far' stands from the world's origin, metres"},
   };
+}
+
+Scene empty_hall() {
+  Scene scene{.name = "hall"};
+  matte(scene, "plaster", {0.75f, 0.7f, 0.62f});
+  matte(scene, "boards", {0.5f, 0.33f, 0.2f});
+  matte(scene, "white", {0.8f, 0.8f, 0.8f});
+  scene.camera = {.eye = {-3.5, 1.7, 2}, .target = {4, 1.9, -2.5}, .fov_y = degrees(75), .near = 0.1f, .far = 40};
+  return scene;
 }
 
 Scene make_transform_scene(const std::string& name, const Settings& settings) {

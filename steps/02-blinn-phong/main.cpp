@@ -3,6 +3,7 @@
 #include "02-blinn-phong/lit_surface.hpp"
 #include "02-blinn-phong/probes.hpp"
 #include "02-blinn-phong/scenes.hpp"
+#include "02-blinn-phong/truth.hpp"
 #include "app/scene_program.hpp"
 
 namespace atelier {
@@ -35,5 +36,5 @@ std::vector<std::unique_ptr<Feature>> features() {
 
 extern "C" atelier::StepProgram* atelier_step_program() {
   using namespace atelier;
-  return new SceneProgram(describe(), transform_functions(), features, make_blinn_phong_scene);
+  return new SceneProgram(describe(), transform_functions(), features, make_blinn_phong_scene, blinn_phong_truth);
 }

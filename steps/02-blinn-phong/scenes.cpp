@@ -137,16 +137,6 @@ Scene edges() {
   return scene;
 }
 
-Scene unadjusted(const std::string& name) {
-  if (name == "facets") return facets();
-  if (name == "backlight") return backlight();
-  if (name == "spots") return spots();
-  if (name == "tiles") return tiles();
-  if (name == "festival") return festival();
-  if (name == "edges") return edges();
-  return make_builtin_scene(name);
-}
-
 }  // namespace
 
 std::vector<std::string> blinn_phong_scene_names() {
@@ -174,8 +164,18 @@ void adjust_materials(Scene& scene, const Settings& settings) {
   }
 }
 
+Scene unadjusted_blinn_phong_scene(const std::string& name) {
+  if (name == "facets") return facets();
+  if (name == "backlight") return backlight();
+  if (name == "spots") return spots();
+  if (name == "tiles") return tiles();
+  if (name == "festival") return festival();
+  if (name == "edges") return edges();
+  return make_builtin_scene(name);
+}
+
 Scene make_blinn_phong_scene(const std::string& name, const Settings& settings) {
-  Scene scene = unadjusted(name);
+  Scene scene = unadjusted_blinn_phong_scene(name);
   adjust_materials(scene, settings);
   return scene;
 }

@@ -9,7 +9,10 @@ namespace atelier {
 std::vector<std::string> blinn_phong_scene_names();
 std::vector<SettingSpec> blinn_phong_scene_settings();
 
-/// Throws Error for an unknown name.
+/// A scene as its author wrote it. Throws Error for an unknown name.
+Scene unadjusted_blinn_phong_scene(const std::string& name);
+
+/// The same with the settings' changes. Throws Error for an unknown name.
 Scene make_blinn_phong_scene(const std::string& name, const Settings& settings);
 
 /// What the settings change of any scene: exponents, balance of diffuse and specular colour.
