@@ -53,9 +53,13 @@ void SceneProgram::open(Gl& gl, const Implementations& implementations) {
 }
 
 void SceneProgram::load(const std::string& scene, const Settings& settings) {
+  Loaded wanted{scene, settings.values()};
+  if (loaded_ == wanted && !is_model_file(scene)) return;  // a file may have changed since
+  loaded_.reset();
   scene_ = is_model_file(scene) ? import_scene(scene) : make_scene_(scene, settings);
   renderer_->configure(settings);
   renderer_->prepare(scene_);
+  loaded_ = std::move(wanted);
 }
 
 DepthFormat SceneProgram::depth_format(const Settings& settings) const {

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/scene_truth.hpp"
@@ -37,6 +38,13 @@ class SceneProgram : public StepProgram {
   MakeTruth make_truth_;
   Scene scene_;
   std::unique_ptr<Renderer> renderer_;
+  /// What the scene was made of. Cases often differ in camera, size or output alone: it is then as they need it.
+  struct Loaded {
+    std::string scene;
+    std::map<std::string, SettingValue, std::less<>> settings;
+    bool operator==(const Loaded&) const = default;
+  };
+  std::optional<Loaded> loaded_;
 };
 
 /// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe". A program

@@ -48,6 +48,7 @@ class Settings {
   const std::string& choice(std::string_view name) const;
 
   const std::vector<SettingSpec>& specs() const { return specs_; }
+  const std::map<std::string, SettingValue, std::less<>>& values() const { return values_; }
   const SettingValue& value(std::string_view name) const;
 
  private:

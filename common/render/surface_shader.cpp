@@ -119,7 +119,9 @@ SurfaceSources assemble_surface(const FindFile& find, const std::string& transfo
                 "  o_colour = vec4(" +
                 output_expression(key, shaded) + ", 1.0);\n}\n";
 
-  return {assemble_shader_text(find, vertex, "surface vertex shader", key.structure),
+  // The vertex stage is told of the structure only where it lights: one text for all other variants, so that the driver
+  // compiles it once (Mesa keys its compiled code by the text's hash).
+  return {assemble_shader_text(find, vertex, "surface vertex shader", per_vertex ? key.structure : Defines{}),
           assemble_shader_text(find, fragment, "surface fragment shader", key.structure)};
 }
 

@@ -35,7 +35,7 @@ Image encoded(Image image) {
 Image decoded(Image image) {
   std::array<float, 256> linear{};
   for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = blinn_phong::srgb_decode(float(code) / 255);
-  const auto of = [&](float stored) { return linear[std::size_t(std::lround(stored * 255))]; };
+  const auto of = [&](float stored) { return linear[std::size_t(stored * 255 + 0.5f)]; };
   for (Rgba& p : image.pixels()) p = {of(p.r), of(p.g), of(p.b), p.a};
   return image;
 }
