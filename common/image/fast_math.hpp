@@ -8,6 +8,15 @@
 #include <cmath>
 #include <cstdint>
 
+/// Before a function: compiled twice, for every x86-64 and for those with AVX2 (eight floats at a time instead of four);
+/// the loader chooses. Both give the same bits, since products and sums are never fused (-ffp-contract=off).
+/// AddressSanitizer does not stand the choice, which is made before it has started.
+#if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
+#define ATELIER_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
+#else
+#define ATELIER_ALSO_FOR_AVX2
+#endif
+
 namespace atelier::fast {
 
 /// log2 of a positive, normal, finite x; absolute error below 1.1e-6 over 2^-20..2^4 (a float near 20 has no finer

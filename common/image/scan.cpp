@@ -32,18 +32,25 @@ bool is_single_colour(const Image& image, float tolerance) {
   return true;
 }
 
+namespace {
+
+/// Pixels that are encoded at a time, one channel after the other: SIMD code wants neighbours to be treated alike.
+constexpr std::size_t block = 128;
+
+ATELIER_ALSO_FOR_AVX2 void encode_block(float (&channel)[block], float exposure) {
+  for (float& value : channel) value = fast::srgb_encode(fast::clamp01(value * exposure));
+}
+
+}  // namespace
+
 Image encode_for_comparison(Image linear, float exposure) {
-  // Blocks of one channel after the other, since SIMD code wants neighbours to be treated alike.
-  constexpr std::size_t block = 128;
-  float values[3][block];
+  float values[3][block] = {};
   const auto pixels = linear.pixels();
   for (std::size_t start = 0; start < pixels.size(); start += block) {
     const auto part = pixels.subspan(start, std::min(block, pixels.size() - start));
     for (std::size_t i = 0; i < part.size(); ++i)
       values[0][i] = part[i].r, values[1][i] = part[i].g, values[2][i] = part[i].b;
-    for (auto& channel : values)
-      for (std::size_t i = 0; i < part.size(); ++i)
-        channel[i] = fast::srgb_encode(fast::clamp01(channel[i] * exposure));
+    for (auto& channel : values) encode_block(channel, exposure);
     for (std::size_t i = 0; i < part.size(); ++i)
       part[i] = {values[0][i], values[1][i], values[2][i], fast::clamp01(part[i].a)};
   }
