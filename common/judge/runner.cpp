@@ -296,22 +296,32 @@ void wait_for_any(const std::vector<std::unique_ptr<Share>>& shares) {
   ::poll(pipes.data(), pipes.size(), static_cast<int>(std::max(left, milliseconds(0)).count()));
 }
 
-/// Shares for at most `workers` processes, none of them empty. Neighbours with the same scene stay together, because
-/// they mostly draw with the same shader, which each process would otherwise compile for itself; but only a few of
-/// them, because cases of one kind are slow together.
+/// Shares for at most `workers` processes, none of them empty. Neighbours with the same scene stay together: the first
+/// makes the scene and compiles its shaders, which takes about three times as long as to draw it once more. But only
+/// so far, for the processes are to end together.
 std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const std::vector<std::size_t>& order,
                                           std::size_t workers) {
-  constexpr std::size_t most_ahead = 3;  // cases, of the smallest share
-  std::vector<std::deque<std::size_t>> shares(std::min(workers, cases.size()));
-  std::deque<std::size_t>* share = nullptr;
+  constexpr int first_of_scene = 3, one_more = 1, most_ahead = 6;  // of the share that has least to do
+  struct Load {
+    std::deque<std::size_t> cases;
+    int work = 0;
+  };
+  std::vector<Load> loads(std::min(workers, cases.size()));
+  const auto ends_with_scene_of = [&](const Load& load, std::size_t index) {
+    return !load.cases.empty() && cases[load.cases.back()].scene == cases[index].scene;
+  };
+  Load* last = nullptr;
   for (const std::size_t index : order) {
-    const auto smallest = std::min_element(shares.begin(), shares.end(),
-                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    const bool stays = share && cases[share->back()].scene == cases[index].scene &&
-                       share->size() < smallest->size() + most_ahead && share->size() * shares.size() < cases.size();
-    if (!stays) share = &*smallest;
-    share->push_back(index);
+    const auto least =
+        std::min_element(loads.begin(), loads.end(), [](const Load& a, const Load& b) { return a.work < b.work; });
+    const bool stays = last && ends_with_scene_of(*last, index) && last->work < least->work + most_ahead &&
+                       last->cases.size() * loads.size() < cases.size();
+    if (!stays) last = &*least;
+    last->work += ends_with_scene_of(*last, index) ? one_more : first_of_scene;
+    last->cases.push_back(index);
   }
+  std::vector<std::deque<std::size_t>> shares;
+  for (Load& load : loads) shares.push_back(std::move(load.cases));
   return shares;
 }
 

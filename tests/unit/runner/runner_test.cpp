@@ -242,7 +242,7 @@ TEST_CASE("shares are dealt in small runs of one scene, and shuffled as the seed
   };
   CHECK(places(std::vector<std::string>(2, "honest")) == std::vector{1, 1});
   CHECK(places(std::vector<std::string>(6, "honest")) == std::vector{1, 2, 3, 1, 2, 3});
-  CHECK(places(std::vector<std::string>(12, "honest")) == std::vector{1, 2, 3, 1, 2, 3, 4, 5, 6, 4, 5, 6});
+  CHECK(places(std::vector<std::string>(12, "honest")) == std::vector{1, 2, 3, 4, 1, 2, 3, 4, 5, 6, 5, 6});
   const std::vector<int> mixed = places({"honest", "prints", "prints", "honest"});
   CHECK(mixed[0] == 1);
   CHECK(mixed[3] == 2);
