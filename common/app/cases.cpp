@@ -6,6 +6,7 @@
 
 #include "app/thrown.hpp"
 #include "base/error.hpp"
+#include "base/file.hpp"
 #include "case/exchange.hpp"
 #include "gl/shader.hpp"
 
@@ -46,12 +47,11 @@ void answer_cases(const Answer& answer, const std::filesystem::path& file, const
 }
 
 void answer_cases(Painter& painter, const std::filesystem::path& file, const std::filesystem::path& folder,
-                  std::optional<int> progress) {
+                  std::optional<int> progress, bool stats) {
   const auto answer = [&](const Case& c) {
-    if (c.probe.empty())
-      write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
-    else
-      write_values(folder / (c.name + ".values"), painter.probe(c));
+    if (!c.probe.empty()) return write_values(folder / (c.name + ".values"), painter.probe(c));
+    write_pixels(folder / (c.name + ".pixels"), painter.paint(c));
+    if (stats) write_file(folder / (c.name + ".stats"), cost_as_json(painter.cost()));
   };
   answer_cases(answer, file, folder, progress);
 }

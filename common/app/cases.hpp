@@ -15,8 +15,9 @@ namespace atelier {
 void answer_cases(const std::function<void(const Case&)>& answer, const std::filesystem::path& cases,
                   const std::filesystem::path& folder, std::optional<int> progress);
 
-/// Draws or calls: DIR/NAME.pixels or .values for each case.
+/// Draws or calls: DIR/NAME.pixels or .values for each case. `stats`: beside each picture also what it has cost, as
+/// JSON (app/cost.hpp), in DIR/NAME.stats.
 void answer_cases(Painter& painter, const std::filesystem::path& cases, const std::filesystem::path& folder,
-                  std::optional<int> progress);
+                  std::optional<int> progress, bool stats = false);
 
 }  // namespace atelier

@@ -85,14 +85,19 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   };
   CLI::Option* const kind = option(how, "--context", context, "osmesa, egl or window");
   option(how, "--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins");
-  CLI::Option* const stats = app.add_flag("--stats", line.stats, "Print what the drawing has cost")->group(how);
-  CLI::Option* const json = app.add_flag("--json", line.json, "Print for programs")->group(how);
+  CLI::Option* const stats =
+      app.add_flag("--stats", line.stats, "Print what the drawing has cost; with --cases: DIR/NAME.stats")->group(how);
+  CLI::Option* const repeat =
+      option(how, "--repeat", line.repeat, "With --stats: draw so often after two frames unwatched, and time each")
+          ->check(CLI::Range(1, 10000));
+  app.add_flag("--json", line.json, "Print for programs")->group(how);
   CLI::Option* const progress =
       option(how, "--progress", line.progress, "A descriptor to tell the judge which case is being answered");
 
   // What would change nothing is refused rather than passed over.
   frames->needs(record);
-  json->needs(list);
+  repeat->needs(stats);
+  repeat->excludes(record);
   progress->needs(cases);
   cases->needs(out);
   truth->needs(out);
@@ -100,7 +105,7 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   record->excludes(out);
   for (CLI::Option* other : {record, kind, stats}) truth->excludes(other);  // there is no driver, and nothing is drawn
   for (CLI::Option* other : {out, record, cases, kind, stats}) list->excludes(other);
-  for (CLI::Option* other : {record, stats}) cases->excludes(other);
+  cases->excludes(record);
   for (CLI::Option* other : of_a_picture) {
     list->excludes(other);
     cases->excludes(other);
@@ -124,6 +129,8 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   if (!context.empty()) line.context = parse_context_kind(context);
   if (!implementations.empty()) line.implementations = parse_implementations(implementations);
   for (const std::string& text : settings) line.settings.push_back(parse_setting(text, line.settings));
+  if (line.json && !line.list && (!line.stats || !line.cases.empty()))
+    throw Error("--json: what is printed for programs is --list, or the --stats of a picture; add one of them");
   if (line.stats && line.out.empty() && line.record.empty())
     throw Error("--stats: a window shows what drawing costs; add --out FILE or --record FILE");
   if (line.picture.camera.eye && line.picture.camera.eye == line.picture.camera.target)

@@ -22,6 +22,7 @@ struct CommandLine {
   std::filesystem::path out;                                  ///< --out: a picture file; with --cases: a folder
   std::filesystem::path record;  ///< --record: .gif, or a .png, .bmp or .exr whose frames are numbered
   int frames = 48;
+  int repeat = 0;  ///< --repeat: how often a picture is drawn by the clock; 0: once, without one
 
   bool truth = false;  ///< --truth: the oracle's pictures instead of OpenGL's
   int samples = 1;     ///< --samples: n x n a pixel of the truth

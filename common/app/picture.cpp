@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "base/error.hpp"
 
@@ -41,6 +42,17 @@ const Target& Painter::target_for(const TargetSpec& spec) {
   return *target_;
 }
 
+/// Draws one frame and takes down its counts; the seconds until OpenGL has finished it.
+double Painter::draw(const Frame& frame, const Settings& settings) {
+  gl().restart_counts();
+  const auto begin = std::chrono::steady_clock::now();
+  program_.draw(frame, settings);
+  gl().Finish();  // the commands are only queued until then
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  cost_ = {.gl = gl().counts(), .scene = program_.counts()};
+  return taken.count();
+}
+
 Image Painter::paint(const Case& picture, double time) {
   const StepDescription& description = program_.description();
   const auto& outputs = description.outputs;
@@ -55,7 +67,12 @@ Image Painter::paint(const Case& picture, double time) {
                                      .height = picture.size.y,
                                      .colour = ColourFormat::rgba32f,
                                      .depth = program_.depth_format(settings)});
-  program_.draw({target, apply(picture.camera, program_.camera()), picture.output, time}, settings);
+  const Frame frame{target, apply(picture.camera, program_.camera()), picture.output, time};
+  constexpr int warming_up = 2;
+  for (int i = 0; i < (timed_frames_ > 0 ? warming_up : 1); ++i) draw(frame, settings);
+  std::vector<double> seconds;
+  for (int i = 0; i < timed_frames_; ++i) seconds.push_back(draw(frame, settings));
+  if (!seconds.empty()) cost_.frames = timings_of(seconds);
   return target.read_colour(gl());
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/cost.hpp"
 #include "app/step_program.hpp"
 #include "gl/context.hpp"
 
@@ -23,6 +24,13 @@ class Painter {
   /// Draws a picture case. Throws Error where a scene, a setting or an output is unknown.
   Image paint(const Case& picture, double time = 0);
 
+  /// From then on each picture is drawn twice unwatched (shaders are compiled, caches filled) and then `frames` times
+  /// by the clock. 0: once, untimed.
+  void time_frames(int frames) { timed_frames_ = frames; }
+
+  /// What the last picture has cost, loading its scene not included.
+  const DrawingCost& cost() const { return cost_; }
+
   /// Calls a probe on each of the case's inputs.
   std::vector<Numbers> probe(const Case& values);
 
@@ -30,12 +38,15 @@ class Painter {
 
  private:
   const Target& target_for(const TargetSpec& spec);
+  double draw(const Frame& frame, const Settings& settings);
 
   StepProgram& program_;
   HeadlessContext& context_;
   Implementations implementations_;
   ShaderProbe shader_probe_;
   std::optional<Target> target_;
+  int timed_frames_ = 0;
+  DrawingCost cost_;
 };
 
 }  // namespace atelier

@@ -28,6 +28,7 @@ class SceneProgram : public StepProgram {
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
   Image truth(const TruthRequest& request, const Settings& settings) const override;
+  SceneCounts counts() const override { return renderer_->counts(); }
   std::string reload_changed_shaders() override { return renderer_->reload_changed_shaders(); }
 
  private:
@@ -37,6 +38,7 @@ class SceneProgram : public StepProgram {
   MakeScene make_scene_;
   MakeTruth make_truth_;
   Scene scene_;
+  std::vector<Box3> boxes_;  ///< of the scene's nodes; empty until somebody asks
   std::unique_ptr<Renderer> renderer_;
   /// What the scene was made of. Cases often differ in camera, size or output alone: it is then as they need it.
   struct Loaded {
@@ -47,8 +49,9 @@ class SceneProgram : public StepProgram {
   std::optional<Loaded> loaded_;
 };
 
-/// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe". A program
-/// that lists them gets their effect.
+/// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe",
+/// "camera.fit_depth", "draw.cull". A program that lists them gets their effect. One that does not leaves out what is
+/// outside the view: it stands on matrices that are right, while step 01 must show what wrong ones do.
 std::vector<SettingSpec> view_settings();
 
 /// Whether a program has a setting of this name.

@@ -19,12 +19,6 @@ namespace atelier {
 
 namespace {
 
-void print_counts(const GlCounts& counts) {
-  fmt::print(stderr, "draws {}  triangles {}  program switches {}  programs linked {}  clears {}  texture bytes {}\n",
-             counts.draws, counts.triangles, counts.program_switches, counts.programs_linked, counts.clears,
-             counts.texture_bytes);
-}
-
 Encoding encoding_of(const StepDescription& description, const std::string& output) {
   for (const OutputSpec& spec : description.outputs)
     if (spec.name == output) return spec.encoding;
@@ -73,8 +67,9 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
   const auto program = load_step(identity, implementations);  // after the context: it ends before it
   Painter painter(*program, *context, implementations);
+  painter.time_frames(line.repeat);
   if (!line.cases.empty()) {
-    answer_cases(painter, line.cases, line.out, line.progress);
+    answer_cases(painter, line.cases, line.out, line.progress, line.stats);
     return exit_ok;
   }
   check_has_camera(program->description(), line);
@@ -87,7 +82,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     write_image(line.out, image, {.encoding = encoding});
   else
     record_turn(painter, camera, line.picture, encoding, line.record, line.frames);
-  if (line.stats) print_counts(painter.gl().counts);
+  if (line.stats) std::fputs((line.json ? cost_as_json : cost_as_text)(painter.cost()).c_str(), stdout);
   return exit_ok;
 }
 

@@ -16,6 +16,7 @@
 #include "gl/gl.hpp"
 #include "gl/target.hpp"
 #include "image/colour.hpp"
+#include "render/counts.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
@@ -79,6 +80,9 @@ class StepProgram {
   /// code and the oracle alone. Works before `open`, without OpenGL. Settings that only trade accuracy for speed change
   /// nothing. Throws Error where there is no truth, which is so for every picture unless a step says otherwise.
   virtual Image truth(const TruthRequest& request, const Settings& settings) const;
+
+  /// What the last frame has cost beyond OpenGL's own counts.
+  virtual SceneCounts counts() const { return {}; }
 
   /// Looks whether shader files have changed and takes the new ones; returns the driver's words where it refuses them.
   virtual std::string reload_changed_shaders() { return {}; }

@@ -2,6 +2,7 @@
 //
 //   DIR/NAME.pixels   "ATELIER1", width and height (32-bit little-endian), then width*height RGBA floats, row 0 on top
 //   DIR/NAME.values   {"results": [[numbers of input 0], ...]}; non-finite ones as "nan", "inf", "-inf"
+//   DIR/NAME.stats    only where --stats asks: what the picture has cost, as JSON (app/cost.hpp)
 //   DIR/NAME.build_error   one sentence: the student's shader does not compile
 //   DIR/NAME.error    one sentence: the program itself refused the case (it has no such scene, say)
 //   DIR/NAME.exception   one sentence: what the student's function threw and nothing caught

@@ -2,60 +2,19 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstring>
 
 #include "base/error.hpp"
+#include "gl/meter.hpp"
 #include "gl/texel.hpp"
 
 namespace atelier {
 namespace {
 
-// ---- What is counted
-
-std::int64_t triangles_of(GLenum mode, GLsizei corners) {
-  switch (mode) {
-    case GL_TRIANGLES:
-      return corners / 3;
-    case GL_TRIANGLE_STRIP:
-    case GL_TRIANGLE_FAN:
-      return std::max(corners - 2, 0);
-    default:
-      return 0;
-  }
-}
-
-void count_draw(GlCounts& counts, GLenum mode, GLsizei corners) {
-  ++counts.draws;
-  counts.triangles += triangles_of(mode, corners);
-}
-
-void count_texture(GlCounts& counts, GLint internal_format, std::int64_t texels) {
-  counts.texture_bytes += texels * texel_bytes(GLenum(internal_format));
-}
-
-void count_functions(Gl& gl) {
-  gl.DrawArrays.count = [](GlCounts& c, GLenum mode, GLint, GLsizei corners) { count_draw(c, mode, corners); };
-  gl.DrawElements.count = [](GlCounts& c, GLenum mode, GLsizei corners, GLenum, const void*) {
-    count_draw(c, mode, corners);
-  };
-  gl.UseProgram.count = [](GlCounts& c, GLuint) { ++c.program_switches; };
-  gl.LinkProgram.count = [](GlCounts& c, GLuint) { ++c.programs_linked; };
-  gl.Clear.count = [](GlCounts& c, GLbitfield) { ++c.clears; };
-  gl.ClearBufferfv.count = [](GlCounts& c, GLenum, GLint, const GLfloat*) { ++c.clears; };
-  gl.TexImage2D.count = [](GlCounts& c, GLenum, GLint, GLint format, GLsizei width, GLsizei height, GLint, GLenum,
-                           GLenum, const void*) { count_texture(c, format, std::int64_t(width) * height); };
-  gl.TexImage3D.count = [](GlCounts& c, GLenum, GLint, GLint format, GLsizei width, GLsizei height, GLsizei depth,
-                           GLint, GLenum, GLenum,
-                           const void*) { count_texture(c, format, std::int64_t(width) * height * depth); };
-}
-
-// ---- What is loaded
-
 template <class Function>
-bool resolve_into(Function& function, Gl::Resolver resolve, const char* name, GlCounts& counts) {
+bool resolve_into(Function& function, Gl::Resolver resolve, const char* name, GlMeter& meter) {
   function.call = reinterpret_cast<decltype(function.call)>(resolve(name));
-  function.counts = &counts;
+  function.meter = &meter;
   return function.call != nullptr;
 }
 
@@ -82,14 +41,14 @@ const char* error_name(GLenum error) {
 
 }  // namespace
 
-Gl::Gl(Resolver resolve) {
-#define ATELIER_GL_LOAD(type, name)                     \
-  if (!resolve_into(name, resolve, "gl" #name, counts)) \
-    throw Error("this OpenGL context lacks gl" #name    \
+Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
+#define ATELIER_GL_LOAD(type, name)                      \
+  if (!resolve_into(name, resolve, "gl" #name, *meter_)) \
+    throw Error("this OpenGL context lacks gl" #name     \
                 ", and 3.3 core is needed: update the graphics driver, or draw with --context osmesa or egl");
   ATELIER_GL_FUNCTIONS(ATELIER_GL_LOAD)
 #undef ATELIER_GL_LOAD
-  count_functions(*this);
+  count_calls(*this);
 
   GLint major = 0, minor = 0;
   GetIntegerv(GL_MAJOR_VERSION, &major);
@@ -101,7 +60,17 @@ Gl::Gl(Resolver resolve) {
 
   // Asked for by version or extension first: some resolvers answer every name, known or not.
   if (version_ >= 45 || has_extension("GL_ARB_clip_control"))
-    resolve_into(ClipControl, resolve, "glClipControl", counts);
+    resolve_into(ClipControl, resolve, "glClipControl", *meter_);
+}
+
+Gl::~Gl() = default;
+
+GlCounts Gl::counts() const {
+  return meter_->counts();
+}
+
+void Gl::restart_counts() {
+  meter_->restart();
 }
 
 bool Gl::has_extension(const char* name) const {

@@ -7,20 +7,14 @@
 
 #include <GL/glcorearb.h>
 
-#include <cstdint>
+#include <memory>
 #include <string>
+
+#include "gl/counts.hpp"
 
 namespace atelier {
 
-/// What drawing has cost since the counters were last reset: what --stats prints and 'only what is required' tests.
-struct GlCounts {
-  std::int64_t draws = 0;             ///< glDraw* calls
-  std::int64_t triangles = 0;         ///< asked for by them
-  std::int64_t program_switches = 0;  ///< glUseProgram calls
-  std::int64_t programs_linked = 0;   ///< shader variants built
-  std::int64_t texture_bytes = 0;  ///< allocated by glTexImage*, all levels and layers, by the formats' nominal sizes
-  std::int64_t clears = 0;         ///< glClear* calls: one a pass, as a rule
-};
+class GlMeter;
 
 /// The functions: X(return type by glcorearb.h's typedef, name without the gl prefix).
 #define ATELIER_GL_FUNCTIONS(X)                                              \
@@ -81,7 +75,9 @@ struct GlCounts {
   X(PFNGLGENTEXTURESPROC, GenTextures)                                       \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                               \
   X(PFNGLGENERATEMIPMAPPROC, GenerateMipmap)                                 \
+  X(PFNGLGETACTIVEATTRIBPROC, GetActiveAttrib)                               \
   X(PFNGLGETACTIVEUNIFORMPROC, GetActiveUniform)                             \
+  X(PFNGLGETATTRIBLOCATIONPROC, GetAttribLocation)                           \
   X(PFNGLGETERRORPROC, GetError)                                             \
   X(PFNGLGETFLOATVPROC, GetFloatv)                                           \
   X(PFNGLGETINTEGERVPROC, GetIntegerv)                                       \
@@ -139,22 +135,27 @@ class Gl {
 
   /// Throws Error naming the first function that the context lacks, or its version where that is below 3.3.
   explicit Gl(Resolver resolve);
+  ~Gl();
   Gl(const Gl&) = delete;
   Gl& operator=(const Gl&) = delete;
 
-  /// One function: calls through, and counts where it is one of those that GlCounts names.
+  /// What was asked of OpenGL since restart_counts() or, where that was never called, since this object was made.
+  GlCounts counts() const;
+  void restart_counts();
+
+  /// One function: calls through, and tells the meter first where the counts depend on it.
   template <class Signature>
   class Function;
   template <class Result, class... Parameters>
   class Function<Result (*)(Parameters...)> {
    public:
     Result operator()(Parameters... parameters) const {
-      if (count) count(*counts, parameters...);
+      if (count) count(*meter, parameters...);
       return call(parameters...);
     }
     Result (*call)(Parameters...) = nullptr;
-    void (*count)(GlCounts&, Parameters...) = nullptr;
-    GlCounts* counts = nullptr;
+    void (*count)(GlMeter&, Parameters...) = nullptr;
+    GlMeter* meter = nullptr;
   };
 
 #define ATELIER_GL_MEMBER(type, name) Function<type> name;
@@ -164,8 +165,6 @@ class Gl {
   /// glClipControl, where the context has GL 4.5 or ARB_clip_control; otherwise its `call` is null.
   Function<PFNGLCLIPCONTROLPROC> ClipControl;
 
-  mutable GlCounts counts;
-
   bool has_extension(const char* name) const;
   int version() const {
     return version_;
@@ -173,6 +172,7 @@ class Gl {
   std::string description() const;  ///< "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"
 
  private:
+  std::unique_ptr<GlMeter> meter_;
   int version_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "gl/objects.hpp"
 #include "gl/shader.hpp"
 #include "gl/target.hpp"
+#include "render/counts.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
@@ -23,6 +24,7 @@ struct View {
   std::string output = "colour";  ///< "colour", or one intermediate that the renderer or a feature offers
   bool wireframe = false;         ///< edges only
   bool camera_relative = false;   ///< the world is moved so that the eye is its origin, in double precision
+  bool cull = false;              ///< leave out nodes whose boxes are outside the view
   bool reversed_depth = false;    ///< depth 1 at the near plane; needs clip control and a float depth buffer
 };
 
@@ -94,6 +96,9 @@ class Feature {
   virtual void bind_view(Binder&, const Scene&, const Viewpoint&) {}
   /// Sets what belongs to one material.
   virtual void bind_material(Binder&, const Scene&, const Material&) {}
+
+  /// Adds what its part of a frame has cost. Asked after each frame.
+  virtual void count(SceneCounts&) const {}
 };
 
 }  // namespace atelier

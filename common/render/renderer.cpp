@@ -4,12 +4,20 @@
 
 #include <algorithm>
 
+#include "render/cull.hpp"
+
 namespace atelier {
 
 namespace {
 
 /// Where the renderer's own shader files are: set by the build, as an absolute path.
 const std::filesystem::path own_shaders = ATELIER_RENDER_SHADERS;
+
+Box3 box_of(const Mesh& mesh) {
+  Box3 box;
+  for (const Vertex& vertex : mesh.vertices) box.add(glm::dvec3(vertex.position));
+  return box;
+}
 
 }  // namespace
 
@@ -27,11 +35,13 @@ void Renderer::configure(const Settings& settings) {
 void Renderer::prepare(const Scene& scene) {
   validate(scene);
   meshes_.clear();
+  nodes_moved();
+  counts_ = {};
   scene_ = &scene;
   for (const Mesh& mesh : scene.meshes) {
     const MeshBuffers made = transforms_.upload_mesh(gl_, mesh.vertices, mesh.indices);
     meshes_.push_back({GlVertexArray(gl_, made.vertex_array), GlBuffer(gl_, made.vertex_buffer),
-                       GlBuffer(gl_, made.index_buffer), made.count});
+                       GlBuffer(gl_, made.index_buffer), made.count, box_of(mesh)});
     gl_.BindVertexArray(0);
   }
   for (auto& feature : features_) feature->prepare(gl_, scene);
@@ -114,7 +124,10 @@ Viewpoint Renderer::look(const View& view, const Target& target) const {
           origin};
 }
 
-std::vector<Renderer::Draw> Renderer::place(const Viewpoint& viewpoint) const {
+void Renderer::place(const Viewpoint& viewpoint) {
+  const Placement wanted{viewpoint.view.camera_relative, viewpoint.origin};
+  if (placed_for_ == wanted) return;
+  placed_for_.reset();
   std::vector<Joint> joints;
   joints.reserve(scene_->nodes.size());
   for (const Node& node : scene_->nodes) {
@@ -134,10 +147,17 @@ std::vector<Renderer::Draw> Renderer::place(const Viewpoint& viewpoint) const {
   const std::vector<glm::mat4> world = transforms_.world_matrices(joints);
   if (world.size() != joints.size())
     throw Error(fmt::format("world_matrices returned {} matrices for {} nodes", world.size(), joints.size()));
-  std::vector<Draw> draws;
+  draws_.clear();
   for (std::size_t i = 0; i < world.size(); ++i)
-    if (scene_->nodes[i].mesh) draws.push_back({int(i), world[i], transforms_.normal_matrix(world[i])});
-  return draws;
+    if (scene_->nodes[i].mesh) draws_.push_back({int(i), world[i], transforms_.normal_matrix(world[i])});
+  counts_.matrices = std::int64_t(world.size() + draws_.size());
+  placed_for_ = wanted;
+}
+
+bool Renderer::hidden(const Draw& draw, const Viewpoint& viewpoint) const {
+  if (!viewpoint.view.cull) return false;
+  const Box3& box = meshes_[std::size_t(*scene_->nodes[std::size_t(draw.node)].mesh)].box;
+  return outside_view(viewpoint.projection * viewpoint.world_to_view * draw.model, box, viewpoint.view.reversed_depth);
 }
 
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
@@ -193,10 +213,18 @@ void Renderer::draw(const Draw& draw, const Viewpoint& viewpoint) {
 
 void Renderer::render(const View& view, const Target& target) {
   if (!scene_) throw Error("Renderer::render: no scene was prepared");
+  counts_ = {};
   const Viewpoint viewpoint = look(view, target);
-  const std::vector<Draw> draws = place(viewpoint);
+  place(viewpoint);
   begin(viewpoint, target);
-  for (const Draw& each : draws) draw(each, viewpoint);
+  for (const Draw& each : draws_) {
+    ++counts_.nodes;
+    if (hidden(each, viewpoint))
+      ++counts_.nodes_culled;
+    else
+      draw(each, viewpoint);
+  }
+  for (const auto& feature : features_) feature->count(counts_);
   gl_.BindVertexArray(0);
   transforms_.set_wireframe(gl_, false);
   check_gl_error(gl_, "drawing the scene");

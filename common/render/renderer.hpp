@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "case/implementations.hpp"
@@ -24,9 +25,15 @@ class Renderer {
   /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
   void prepare(const Scene& scene);
 
+  /// To be called where nodes of the prepared scene have moved: matrices are computed once and kept until then (or,
+  /// where the view is camera-relative, until the eye moves).
+  void nodes_moved() { placed_for_.reset(); }
+
   /// Clears the target to the background and draws the prepared scene. Throws ShaderError with the author's file and
   /// line, Error where the view asks what the driver or the target lacks.
   void render(const View& view, const Target& target);
+
+  const SceneCounts& counts() const { return counts_; }  ///< of the last frame
 
   /// Builds anew every program one of whose files has changed. Where one cannot be built, the old one stays and the
   /// driver's words are returned; otherwise an empty string.
@@ -42,11 +49,18 @@ class Renderer {
     GlVertexArray vertex_array;
     GlBuffer vertex_buffer, index_buffer;
     GLsizei count = 0;
+    Box3 box;  ///< object space
   };
   struct Draw {
     int node = 0;
     glm::mat4 model{1.0f};
     glm::mat3 normal_matrix{1.0f};
+  };
+  /// What the matrices depend on beside the scene.
+  struct Placement {
+    bool camera_relative = false;
+    glm::dvec3 origin{0};
+    bool operator==(const Placement&) const = default;
   };
 
   std::filesystem::path find_shader(const std::string& name) const;
@@ -54,7 +68,8 @@ class Renderer {
   Program& program(const SurfaceKey& key);
   SurfaceKey key_for(const View& view, const Material& material) const;
   Viewpoint look(const View& view, const Target& target) const;
-  std::vector<Draw> place(const Viewpoint& viewpoint) const;
+  void place(const Viewpoint& viewpoint);
+  bool hidden(const Draw& draw, const Viewpoint& viewpoint) const;
   void begin(const Viewpoint& viewpoint, const Target& target);
   void draw(const Draw& draw, const Viewpoint& viewpoint);
 
@@ -64,6 +79,9 @@ class Renderer {
   std::vector<std::unique_ptr<Feature>> features_;
   const Scene* scene_ = nullptr;
   std::vector<UploadedMesh> meshes_;
+  std::vector<Draw> draws_;              ///< of all nodes with a mesh
+  std::optional<Placement> placed_for_;  ///< for which `draws_` is right
+  SceneCounts counts_;
   std::map<SurfaceKey, Program> programs_;
 };
 

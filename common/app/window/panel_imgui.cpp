@@ -115,20 +115,16 @@ void ImGuiPanel::side_panel(Viewer& viewer, PanelState& state) const {
 
 void ImGuiPanel::statistics(Viewer& viewer) const {
   if (!ImGui::CollapsingHeader("statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
-  const GlCounts& counts = viewer.counts();
   const glm::dvec3 eye = viewer.camera().eye;
   const double milliseconds = viewer.frame_seconds() * 1e3;
-  const std::string text = fmt::format(
-      "frame       {:>9} ms (median)\n"
-      "draws       {:9}\n"
-      "triangles   {:9}\n"
-      "programs    {:9} switches\n"
-      "linked      {:9} this frame\n"
-      "clears      {:9}\n"
-      "eye {:.3g} {:.3g} {:.3g} m",
-      milliseconds > 0 ? fmt::format("{:.2f}", milliseconds) : "-", counts.draws, counts.triangles,
-      counts.program_switches, counts.programs_linked, counts.clears, eye.x, eye.y, eye.z);
-  ImGui::TextUnformatted(text.c_str());
+  ImGui::TextUnformatted(fmt::format("{:<16} {:>11}\n{:<16} {:.3g} {:.3g} {:.3g}", "frame, ms",
+                                     milliseconds > 0 ? fmt::format("{:.2f}", milliseconds) : "-", "eye, m", eye.x,
+                                     eye.y, eye.z)
+                             .c_str());
+  for (const CostRow& row : cost_rows(viewer.cost())) {
+    ImGui::TextUnformatted(fmt::format("{:<16} {:>11}", row.name, row.value).c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.meaning);
+  }
 }
 
 void ImGuiPanel::messages(const Viewer& viewer, const PanelState& state) const {

@@ -143,12 +143,12 @@ void Viewer::load() {
 }
 
 void Viewer::draw_into(const Target& target) {
-  gl_.counts = {};
+  gl_.restart_counts();
   const auto begin = std::chrono::steady_clock::now();
   program_.draw({target, camera(), output_, time_}, settings_);
   gl_.Finish();  // the commands are only queued until then
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  if (gl_.counts.programs_linked == 0) times_.add(taken.count());  // a compilation is no frame
+  if (gl_.counts().programs_linked == 0) times_.add(taken.count());  // a compilation is no frame
 }
 
 bool Viewer::draw() {
@@ -167,18 +167,18 @@ bool Viewer::draw() {
     draw_into(*spare_);
   });
   if (!trouble.drawing.empty()) return false;
-  counts_ = gl_.counts;
+  cost_ = {.gl = gl_.counts(), .scene = program_.counts()};
   std::swap(shown_, spare_);
   return true;
 }
 
 bool Viewer::reload_shaders() {
-  const auto linked = gl_.counts.programs_linked;
+  const auto linked = gl_.counts().programs_linked;
   const std::string before = trouble.shaders;
   std::string refused;
   const std::string thrown = words_of([&] { refused = program_.reload_changed_shaders(); });
   trouble.shaders = thrown.empty() ? refused : thrown;
-  const bool rebuilt = gl_.counts.programs_linked != linked;
+  const bool rebuilt = gl_.counts().programs_linked != linked;
   must_draw_ |= rebuilt;
   return rebuilt || trouble.shaders != before;
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/command_line.hpp"
+#include "app/cost.hpp"
 #include "app/step_program.hpp"
 #include "app/window/frame_times.hpp"
 #include "app/window/orbit.hpp"
@@ -64,7 +65,7 @@ class Viewer {
 
   /// The last good picture; null before the first.
   const Target* picture() const { return shown_.get(); }
-  const GlCounts& counts() const { return counts_; }  ///< of the last good picture
+  const DrawingCost& cost() const { return cost_; }  ///< of the last good picture; frames are not in it
   /// The median time of the last frames that compiled no shader, in seconds; 0 where there was none yet.
   double frame_seconds() const { return times_.median(); }
 
@@ -92,7 +93,7 @@ class Viewer {
   bool playing_ = false;
   double time_ = 0;
   std::unique_ptr<Target> shown_, spare_;  ///< drawn into by turns: a drawing that fails half-way harms only the spare
-  GlCounts counts_;
+  DrawingCost cost_;
   FrameTimes times_;
 };
 

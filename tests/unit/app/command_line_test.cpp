@@ -52,7 +52,10 @@ TEST_CASE("a command line that is wrong is answered with what is", "[command_lin
       {"a setting twice", {"--set", "a.b=1", "--set", "a.b=2"}, {"--set a.b=2", "a.b is set to 1 already"}},
       {"for programs, of a picture", {"--out", "a.png", "--json"}, {"--json", "--list"}},
       {"cost of a window", {"--stats"}, {"--stats", "--out", "--record"}},
-      {"cost of cases", {"--cases", "a.json", "--out", "a", "--stats"}, {"--cases", "--stats"}},
+      {"cost of cases for programs", {"--cases", "a.json", "--out", "a", "--stats", "--json"}, {"--json", "picture"}},
+      {"times without counts", {"--out", "a.png", "--repeat", "3"}, {"--repeat", "--stats"}},
+      {"times of a recording", {"--record", "a.gif", "--stats", "--repeat", "3"}, {"--repeat", "--record"}},
+      {"no repetition", {"--out", "a.png", "--stats", "--repeat", "0"}, {"--repeat", "10000"}},
       {"cases of another scene", {"--cases", "a.json", "--out", "a", "--scene", "hall"}, {"--cases", "--scene"}},
       {"cases of another size", {"--cases", "a.json", "--out", "a", "--size", "1x1"}, {"--cases", "--size"}},
       {"cases that are recorded", {"--cases", "a.json", "--out", "a", "--record", "a.gif"}, {"--record"}},
@@ -91,6 +94,8 @@ TEST_CASE("what is not said has its default", "[command_line]") {
   CHECK(line.picture.output == "colour");
   CHECK(line.picture.scene.empty());
   CHECK(line.frames == 48);
+  CHECK(line.repeat == 0);
+  CHECK_FALSE(line.stats);
   CHECK(line.settings.empty());
   CHECK_FALSE(line.context);
   CHECK_FALSE(line.implementations);
@@ -115,6 +120,12 @@ TEST_CASE("what is said is taken", "[command_line]") {
   CHECK(line.stats);
   CHECK(line.record == "turn.GIF");
   CHECK(line.frames == 7);
+
+  const CommandLine measured = parse({"--out", "a.png", "--stats", "--repeat", "9", "--json"}).value();
+  CHECK(measured.stats);
+  CHECK(measured.json);
+  CHECK(measured.repeat == 9);
+  CHECK(parse({"--cases", "job.json", "--out", "answers", "--stats"}).value().stats);
 
   const CommandLine judged = parse({"--cases", "job.json", "--out", "answers", "--progress", "5"}).value();
   CHECK(judged.cases == "job.json");

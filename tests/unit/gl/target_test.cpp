@@ -238,10 +238,10 @@ TEST_CASE("A target's bytes are counted as the driver is asked for them") {
   on_every_context([&](Gl& gl) {
     for (int i = 0; i < 4; ++i) {
       INFO(to_string(specs[i]));
-      gl.counts = {};
+      gl.restart_counts();
       const Target target(gl, specs[i]);
       CHECK(bytes(specs[i]) == expected[i]);
-      CHECK(std::size_t(gl.counts.texture_bytes) == expected[i]);
+      CHECK(std::size_t(gl.counts().allocated_bytes) == expected[i]);
     }
   });
 }

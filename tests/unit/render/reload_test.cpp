@@ -41,9 +41,9 @@ TEST_CASE("an edited shader is taken without a restart", "[reload]") {
   Studio studio;
   CHECK(studio.renderer->reload_changed_shaders().empty());  // nothing is built yet
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
-  const auto linked = studio.context->gl().counts.programs_linked;
+  const auto linked = studio.context->gl().counts().programs_linked;
   CHECK(studio.renderer->reload_changed_shaders().empty());
-  CHECK(studio.context->gl().counts.programs_linked == linked);  // nothing has changed, nothing is built
+  CHECK(studio.context->gl().counts().programs_linked == linked);  // nothing has changed, nothing is built
 
   studio.shaders.write(file, shade("vec3(0.0, 1.0, 0.0)"));
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});  // only when it is asked to look

@@ -29,7 +29,7 @@ struct Studio {
   Image draw(const Scene& scene, View view, glm::ivec2 size = {32, 24}) {
     renderer->prepare(scene);
     const Target target(gl(), {.width = size.x, .height = size.y, .depth = DepthFormat::depth32f});
-    gl().counts = {};
+    gl().restart_counts();
     renderer->render(view, target);
     return target.read_colour(gl());
   }
@@ -209,17 +209,17 @@ TEST_CASE("equal keys share a program, and a program is linked once", "[renderer
                      Material{.specular = glm::vec3(1)}};
   scene.nodes = {Node{.mesh = 0, .material = 0}, Node{.mesh = 0, .material = 1}, Node{.mesh = 0, .material = 0}};
   studio.draw(scene);
-  CHECK(studio.gl().counts.programs_linked == 1);  // colours are numbers, no structure
-  CHECK(studio.gl().counts.draws == 3);
-  CHECK(studio.gl().counts.triangles == 3);
-  CHECK(studio.gl().counts.clears == 1);
+  CHECK(studio.gl().counts().programs_linked == 1);  // colours are numbers, no structure
+  CHECK(studio.gl().counts().draws == 3);
+  CHECK(studio.gl().counts().triangles == 3);
+  CHECK(studio.gl().counts().clears == 1);
   studio.draw(scene);
-  CHECK(studio.gl().counts.programs_linked == 0);
+  CHECK(studio.gl().counts().programs_linked == 0);
   scene.nodes.push_back({.mesh = 0, .material = 2});
   studio.draw(scene);
-  CHECK(studio.gl().counts.programs_linked == 1);
+  CHECK(studio.gl().counts().programs_linked == 1);
   studio.draw(scene, {.camera = scene.camera, .output = "normal"});
-  CHECK(studio.gl().counts.programs_linked == 2);  // another output: both variants anew
+  CHECK(studio.gl().counts().programs_linked == 2);  // another output: both variants anew
 }
 
 TEST_CASE("features are asked, prepared and bound as they are needed", "[renderer]") {
@@ -294,9 +294,9 @@ TEST_CASE("what a student has not written yet draws nothing", "[renderer]") {
   const Scene scene = triangle_scene();
   renderer.prepare(scene);
   const Target target(studio.gl(), {.width = 8, .height = 8});
-  studio.gl().counts = {};
+  studio.gl().restart_counts();
   renderer.render({.camera = scene.camera}, target);
-  CHECK(studio.gl().counts.draws == 0);
+  CHECK(studio.gl().counts().draws == 0);
   CHECK(count(target.read_colour(studio.gl()), dark_blue) == 64);
 }
 

@@ -1,0 +1,68 @@
+#include "app/cost.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+
+namespace atelier {
+
+FrameTimings timings_of(std::vector<double> seconds) {
+  if (seconds.empty()) throw Error("no frame was timed: there is no median of nothing");
+  std::sort(seconds.begin(), seconds.end());
+  const std::size_t count = seconds.size();
+  return {.count = int(count),
+          .median_s = (seconds[(count - 1) / 2] + seconds[count / 2]) / 2,
+          .least_s = seconds.front(),
+          .most_s = seconds.back()};
+}
+
+std::vector<CostRow> cost_rows(const DrawingCost& cost) {
+  const GlCounts& gl = cost.gl;
+  const SceneCounts& scene = cost.scene;
+  return {
+      {"passes", gl.passes, "targets drawn into or cleared, one after another"},
+      {"clears", gl.clears, "of a target"},
+      {"draws", gl.draws, "glDraw* calls"},
+      {"triangles", gl.triangles, "asked for by the draws"},
+      {"vertices", gl.vertices, "corners asked for by the draws; a shared one counts each time"},
+      {"attributes", gl.attributes, "vertex attributes that the shaders read: position, normal ..."},
+      {"variants", gl.variants, "different shader programs drawn with"},
+      {"program_switches", gl.program_switches, "changes from one program to another"},
+      {"programs_linked", gl.programs_linked, "built in this frame; 0 where an earlier one has left them"},
+      {"texture_sources", gl.texture_sources, "textures that the shaders look up"},
+      {"texture_bytes", gl.texture_bytes, "bytes that textures hold, all levels, without targets"},
+      {"target_bytes", gl.target_bytes, "bytes of the targets drawn into: colour, depth ..."},
+      {"allocated_bytes", gl.allocated_bytes, "bytes of storage asked for in this frame"},
+      {"nodes", scene.nodes, "of the scene that have a mesh"},
+      {"nodes_culled", scene.nodes_culled, "of those, outside the view and left out"},
+      {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
+      {"lights", scene.lights, "added up by the shaders for each point"},
+      {"lights_culled", scene.lights_culled, "of the scene's, left out because nobody could see them"},
+  };
+}
+
+std::string cost_as_text(const DrawingCost& cost) {
+  std::string text;
+  for (const CostRow& row : cost_rows(cost))
+    text += fmt::format("{:<17} {:>12}  {}\n", row.name, row.value, row.meaning);
+  if (const auto& frames = cost.frames)
+    text += fmt::format("{:<17} {:>12.3f}  milliseconds, median of {} frames: {:.3f} to {:.3f}\n", "frame",
+                        frames->median_s * 1e3, frames->count, frames->least_s * 1e3, frames->most_s * 1e3);
+  return text;
+}
+
+std::string cost_as_json(const DrawingCost& cost) {
+  nlohmann::ordered_json json;
+  for (const CostRow& row : cost_rows(cost)) json["counts"][row.name] = row.value;
+  if (const auto& frames = cost.frames)
+    json["frames"] = {{"count", frames->count},
+                      {"median_s", frames->median_s},
+                      {"least_s", frames->least_s},
+                      {"most_s", frames->most_s}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace atelier

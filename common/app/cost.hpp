@@ -1,0 +1,48 @@
+// What drawing a picture has cost: counts that are the same on every machine, and frame times where they are asked for.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/counts.hpp"
+#include "render/counts.hpp"
+
+namespace atelier {
+
+/// Wall times of frames, each from its first call until OpenGL has finished it.
+struct FrameTimings {
+  int count = 0;
+  double median_s = 0, least_s = 0,
+         most_s = 0;  ///< seconds; the median of an even number is the mean of the middle two
+};
+
+/// Throws Error where there are no times.
+FrameTimings timings_of(std::vector<double> seconds);
+
+/// Of one frame: the last one where it was drawn repeatedly.
+struct DrawingCost {
+  GlCounts gl;
+  SceneCounts scene;
+  std::optional<FrameTimings> frames;
+};
+
+/// One line of what --stats prints.
+struct CostRow {
+  const char* name;  ///< "target_bytes": the member in JSON too
+  std::int64_t value;
+  const char* meaning;  ///< with the unit: "bytes of the attachments drawn into"
+};
+
+/// Every count, in the order in which a reader should meet them.
+std::vector<CostRow> cost_rows(const DrawingCost& cost);
+
+/// A table for people: name, value, meaning.
+std::string cost_as_text(const DrawingCost& cost);
+
+/// {"counts": {NAME: whole number, ...}, "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only where
+/// frames were timed.
+std::string cost_as_json(const DrawingCost& cost);
+
+}  // namespace atelier

@@ -1,0 +1,99 @@
+// Counts what passes through Gl. To know what a draw costs it follows the little of OpenGL's state that this takes:
+// which textures are bound, which programs read them, how large the attachments of a framebuffer are.
+#pragma once
+
+#include <map>
+#include <set>
+#include <utility>
+
+#include "gl/counts.hpp"
+#include "gl/gl.hpp"
+
+namespace atelier {
+
+/// Made with its Gl. Its functions are called just before the OpenGL function of the same name. All bytes are by the
+/// formats' nominal sizes (gl/texel.hpp).
+class GlMeter {
+ public:
+  explicit GlMeter(const Gl& gl) : gl_(gl) {}
+
+  void restart();
+  GlCounts counts() const;
+
+  // Draws and passes
+  void draw(GLenum mode, GLsizei corners);
+  void clear();
+  void bind_framebuffer(GLenum target, GLuint framebuffer);
+  void attach_texture(GLenum target, GLenum attachment, GLuint texture);
+  void attach_renderbuffer(GLenum target, GLenum attachment, GLuint renderbuffer);
+  void delete_framebuffers(GLsizei count, const GLuint* framebuffers);
+
+  // Programs
+  void link_program(GLuint program);
+  void use_program(GLuint program);
+  void delete_program(GLuint program);
+  void set_int(GLint location, GLint value);  ///< glUniform1i: how a sampler learns its unit
+
+  // Storage
+  struct Level {
+    GLenum format = GL_NONE;
+    std::int64_t width = 0, height = 0, depth = 0;  ///< texels; depth counts the layers of an array too
+  };
+  void active_texture(GLenum unit);
+  void bind_texture(GLenum target, GLuint texture);
+  void texture_level(GLenum target, GLint level, const Level& size);
+  void generate_mipmap(GLenum target);
+  void delete_textures(GLsizei count, const GLuint* textures);
+  void bind_renderbuffer(GLuint renderbuffer);
+  void renderbuffer_storage(const Level& size, GLsizei samples);
+  void delete_renderbuffers(GLsizei count, const GLuint* renderbuffers);
+
+ private:
+  struct Sampler {
+    GLenum target = GL_TEXTURE_2D;
+    GLint unit = 0;
+  };
+  struct Program {
+    std::set<GLint> attributes;         ///< locations that it reads
+    std::map<GLint, Sampler> samplers;  ///< by the uniform's location
+  };
+  /// One of the two things that can be attached to a framebuffer.
+  struct Attachment {
+    bool renderbuffer = false;
+    GLuint name = 0;
+    auto operator<=>(const Attachment&) const = default;
+  };
+  using Face = std::pair<GLenum, GLint>;  ///< target (or side of a cube) and level
+
+  Program read_program(GLuint program) const;
+  void begin_pass();
+  GLuint framebuffer_at(GLenum target) const {
+    return target == GL_READ_FRAMEBUFFER ? read_framebuffer_ : framebuffer_;
+  }
+  void attach(GLenum target, GLenum attachment, const Attachment& what);
+  std::map<Face, Level>* bound_levels(GLenum target);
+  std::int64_t bytes_of(const Attachment& what) const;
+
+  const Gl& gl_;
+
+  // Followed for as long as the context lives
+  std::map<GLuint, Program> programs_;
+  std::map<GLuint, std::map<Face, Level>> textures_;
+  std::map<GLuint, std::int64_t> renderbuffers_;                 ///< bytes
+  std::map<GLuint, std::map<GLenum, Attachment>> framebuffers_;  ///< by attachment point
+  std::map<std::pair<GLuint, GLenum>, GLuint> bound_textures_;   ///< by unit and target
+  GLuint unit_ = 0, program_ = 0, framebuffer_ = 0, read_framebuffer_ = 0, renderbuffer_ = 0;
+
+  // Since the last restart
+  GlCounts counts_;  ///< those that are plain sums
+  bool in_pass_ = false;
+  GLuint last_program_ = 0;
+  std::set<GLuint> programs_drawn_with_, textures_read_;
+  std::set<GLint> attributes_read_;
+  std::map<Attachment, std::int64_t> targets_;  ///< bytes of what was drawn into
+};
+
+/// Has every function of `gl` that costs something told to `meter`.
+void count_calls(Gl& gl);
+
+}  // namespace atelier

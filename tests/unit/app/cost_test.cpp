@@ -1,0 +1,128 @@
+// What a picture has cost: counted, timed where that is asked for, and printed.
+#include "app/cost.hpp"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/cases.hpp"
+#include "catch.hpp"
+#include "fake_step.hpp"
+#include "gl/context.hpp"
+
+namespace {
+
+using namespace atelier;
+using test::error_of;
+using test::mentions;
+
+struct Studio {
+  TemporaryFolder folder;
+  std::unique_ptr<HeadlessContext> context = make_headless_context();
+  test::FakeStep step;
+  std::optional<Painter> painter;
+  Studio() {
+    test::write_fake_shaders(folder.path());
+    painter.emplace(step, *context, Implementations({{folder.path(), ""}}));
+  }
+};
+
+Case small_picture() {
+  Case picture;
+  picture.name = "picture";
+  picture.size = {32, 24};
+  return picture;
+}
+
+}  // namespace
+
+TEST_CASE("the median of an even number is between the middle two", "[cost]") {
+  const FrameTimings one = timings_of({0.25}), even = timings_of({4, 1, 3, 2}), odd = timings_of({9, 1, 2});
+  CHECK(one.count == 1);
+  CHECK(one.median_s == 0.25);
+  CHECK(even.median_s == 2.5);
+  CHECK(even.least_s == 1);
+  CHECK(even.most_s == 4);
+  CHECK(odd.median_s == 2);
+  CHECK(mentions(error_of([] { timings_of({}); }), {"no frame"}));
+}
+
+TEST_CASE("a picture's cost is counted without the loading of its scene", "[cost]") {
+  Studio studio;
+  studio.painter->paint(small_picture());
+  const DrawingCost& cost = studio.painter->cost();
+  CHECK(cost.gl.passes == 1);
+  CHECK(cost.gl.draws == 1);
+  CHECK(cost.gl.triangles == 12);
+  CHECK(cost.gl.vertices == 36);
+  CHECK(cost.gl.variants == 1);
+  CHECK(cost.gl.programs_linked == 1);
+  CHECK(cost.gl.target_bytes == 32 * 24 * (16 + 4));  // floats and 24 bits of depth, stored in 32
+  CHECK(cost.gl.texture_bytes == 0);
+  CHECK(cost.gl.allocated_bytes == 0);
+  CHECK(cost.scene.nodes == 1);
+  CHECK(cost.scene.matrices == 2);
+  CHECK_FALSE(cost.frames);
+}
+
+TEST_CASE("frames that are timed are drawn after two that are not, and look the same", "[cost]") {
+  Studio studio;
+  const Image once = studio.painter->paint(small_picture());
+  CHECK(studio.step.draws == 1);
+  studio.painter->time_frames(5);
+  CHECK(studio.painter->paint(small_picture()) == once);
+  CHECK(studio.step.draws == 1 + 2 + 5);
+  const DrawingCost& cost = studio.painter->cost();
+  REQUIRE(cost.frames);
+  CHECK(cost.frames->count == 5);
+  CHECK(cost.frames->least_s > 0);
+  CHECK(cost.frames->least_s <= cost.frames->median_s);
+  CHECK(cost.frames->median_s <= cost.frames->most_s);
+  CHECK(cost.gl.draws == 1);  // of one frame, not of all
+  CHECK(cost.gl.programs_linked == 0);
+  CHECK(cost.scene.matrices == 0);  // nothing has moved since the first
+}
+
+TEST_CASE("every count stands in the table and, under the same name, in the JSON", "[cost]") {
+  DrawingCost cost;
+  cost.gl.triangles = 1234567;
+  cost.scene.lights = 64;
+  const nlohmann::json plain = nlohmann::json::parse(cost_as_json(cost));
+  CHECK(plain["counts"]["triangles"] == 1234567);
+  CHECK(plain["counts"]["lights"] == 64);
+  CHECK_FALSE(plain.contains("frames"));
+  for (const char* name : {"passes", "draws", "triangles", "vertices", "variants", "attributes", "texture_sources",
+                           "target_bytes", "texture_bytes", "program_switches", "lights"})
+    CHECK(plain["counts"].contains(name));
+
+  cost.frames = {.count = 3, .median_s = 0.0125, .least_s = 0.01, .most_s = 0.02};
+  const nlohmann::json timed = nlohmann::json::parse(cost_as_json(cost));
+  CHECK(timed["frames"]["count"] == 3);
+  CHECK(timed["frames"]["median_s"] == 0.0125);
+
+  const std::string text = cost_as_text(cost);
+  CHECK(mentions(text, {"1234567", "12.500", "milliseconds", "3 frames"}));
+  std::istringstream lines(text);
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line); ++rows) CHECK(line.size() <= 100);  // fits a terminal
+  CHECK(rows == cost_rows(cost).size() + 1);
+}
+
+TEST_CASE("the cost of each picture case lies beside its picture where it is asked for", "[cost]") {
+  const std::string_view job = R"({"cases": [
+    {"name": "box", "scene": "box", "size": [8, 8]}, {"name": "ring", "scene": "ring", "size": [8, 8]},
+    {"name": "nowhere", "scene": "hall", "size": [8, 8]}, {"name": "values", "probe": "twice", "inputs": [{"x": 1}]}]})";
+  Studio studio;
+  write_file(studio.folder.path() / "job.json", job);
+  const auto out = studio.folder.path() / "out";
+  answer_cases(*studio.painter, studio.folder.path() / "job.json", out, {});
+  CHECK_FALSE(std::filesystem::exists(out / "box.stats"));
+
+  answer_cases(*studio.painter, studio.folder.path() / "job.json", out, {}, true);
+  const auto triangles = [&](const char* name) {
+    return nlohmann::json::parse(read_file(out / name))["counts"]["triangles"].get<int>();
+  };
+  CHECK(triangles("box.stats") == 12);
+  CHECK(triangles("ring.stats") == 48 * 32 * 2);
+  CHECK_FALSE(std::filesystem::exists(out / "nowhere.stats"));
+  CHECK_FALSE(std::filesystem::exists(out / "values.stats"));
+}
