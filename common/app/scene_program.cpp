@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/depth_range.hpp"
 #include "scene_import/scene_import.hpp"
 
 namespace atelier {
@@ -31,6 +32,11 @@ std::vector<SettingSpec> view_settings() {
        .fallback = false,
        .help = "move the world so that the eye is its origin, in double precision, before anything is made a float"},
       {.name = "draw.wireframe", .fallback = false, .help = "edges instead of faces"},
+      {.name = "camera.fit_depth",
+       .fallback = false,
+       .help =
+           "move the near and the far plane as close to what is seen as they go, so that depth is not spent on air"},
+      {.name = "draw.cull", .fallback = false, .help = "leave out nodes whose boxes are outside the view"},
   };
 }
 
@@ -57,6 +63,7 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   if (loaded_ == wanted && !is_model_file(scene)) return;  // a file may have changed since
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_scene(scene) : make_scene_(scene, settings);
+  boxes_.clear();
   renderer_->configure(settings);
   renderer_->prepare(scene_);
   loaded_ = std::move(wanted);
@@ -72,6 +79,12 @@ void SceneProgram::draw(const Frame& frame, const Settings& settings) {
   View view{.camera = frame.camera, .output = frame.output};
   if (lists(description_, "depth.format")) view.reversed_depth = settings.choice("depth.format") == "32f-reversed";
   if (lists(description_, "world.camera_relative")) view.camera_relative = settings.flag("world.camera_relative");
+  view.cull = !lists(description_, "draw.cull") || settings.flag("draw.cull");
+  if (lists(description_, "camera.fit_depth") && settings.flag("camera.fit_depth")) {
+    if (boxes_.empty()) boxes_ = node_boxes(scene_);
+    const TargetSpec& picture = frame.target.spec();
+    view.camera = fit_depth(frame.camera, double(picture.width) / picture.height, boxes_);
+  }
   if (lists(description_, "draw.wireframe")) view.wireframe = settings.flag("draw.wireframe");
   renderer_->render(view, frame.target);
 }
