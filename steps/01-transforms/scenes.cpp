@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "scene/builder.hpp"
 #include "scene/builtin.hpp"
+#include "scene/round_enough.hpp"
 #include "scene/shapes.hpp"
 
 namespace atelier {
@@ -45,11 +46,21 @@ Scene stretched() {
   return scene;
 }
 
+/// As many pieces as the setting says, or as a picture of the height in hall.fit needs: where the wall is nearest to
+/// the eye, seen or not, a piece stays behind the circle by half a pixel at most.
+int hall_segments(const Settings& settings, const Camera& camera) {
+  const int height = settings.integer("hall.fit");
+  if (height == 0) return settings.integer("hall.segments");
+  const double nearest = double(hall_radius) - std::hypot(camera.eye.x, camera.eye.z);
+  return segments_for({.radius = hall_radius, .distance = nearest, .fov_y = camera.fov_y, .height = height});
+}
+
 /// The cylindrical hall from step 01's own wall, with square floor and ceiling whose corners the wall hides.
 Scene hall(const Settings& settings) {
   const float radius = hall_radius, height = hall_height;
   Scene scene = empty_hall();
-  add_object(scene, transforms::cylinder_wall(radius, height, settings.integer("hall.segments")), 0, {.name = "wall"});
+  const int segments = hall_segments(settings, scene.camera);
+  add_object(scene, transforms::cylinder_wall(radius, height, segments), 0, {.name = "wall"});
   add_object(scene, transforms::rectangle({0, 0, 0}, {radius, 0, 0}, {0, 0, -radius}), 1, {.name = "floor"});
   add_object(scene, transforms::rectangle({0, height, 0}, {radius, 0, 0}, {0, 0, radius}), 2, {.name = "ceiling"});
   return scene;
@@ -134,6 +145,12 @@ std::vector<std::string> transform_scene_names() {
 std::vector<SettingSpec> transform_scene_settings() {
   return {
       {.name = "hall.segments", .fallback = 64, .low = 3, .high = 4096, .help = "flat pieces of the hall's round wall"},
+      {.name = "hall.fit",
+       .fallback = 0,
+       .low = 0,
+       .high = 16384,
+       .help = "height of the picture in pixels for which the wall gets the fewest pieces that look round to half a "
+               "pixel; 0: hall.segments pieces"},
       {.name = "world.offset",
        .fallback = 0.0,
        .low = 0,

@@ -4,9 +4,11 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
 #include "image/colour.hpp"
+#include "scene/light_reach.hpp"
 
 namespace atelier {
 
@@ -16,12 +18,11 @@ bool has_specular(const Material& material) {
   return material.specular != glm::vec3(0);
 }
 
-/// The lights of one type, at most `limit` lights of the scene counted in its order.
-std::vector<const Light*> lights_of(const Scene& scene, LightType type, int limit) {
-  std::vector<const Light*> found;
-  for (int i = 0; i < int(scene.lights.size()) && i < limit; ++i)
-    if (scene.lights[std::size_t(i)].type == type) found.push_back(&scene.lights[std::size_t(i)]);
-  return found;
+/// The height of a highlight's lobe, by the setting specular.normalisation: 1, or the factors of the contract.
+double peak(int normalisation, double n) {
+  if (normalisation == 1) return (n + 8) / 8;
+  if (normalisation == 2) return (n + 2) * (n + 4) / (8 * (std::exp2(-n / 2) + n));
+  return 1;
 }
 
 /// A picture as an 8-bit file holds it: encoded to sRGB, a 255th a step. What the student's srgb_decode then undoes.
@@ -69,6 +70,9 @@ std::vector<SettingSpec> lit_surface_settings() {
        .low = 0,
        .high = 64,
        .help = "how many of the scene's lights shine, in their order"},
+      {.name = "light.cull",
+       .fallback = true,
+       .help = "leave out lights that all together are too weak to change a pixel by one code of 255"},
       {.name = "texture.filter",
        .fallback = std::string("scene"),
        .choices = {"scene", "nearest", "linear", "mipmap"},
@@ -88,12 +92,38 @@ void LitSurface::configure(const Settings& settings) {
   power_ = power == "stable" ? Power::stable : power == "table" ? Power::table : Power::direct;
   table_size_ = settings.integer("specular.table_size");
   light_limit_ = settings.integer("light.count");
+  cull_lights_ = settings.flag("light.cull");
   filter_ = settings.choice("texture.filter");
   decode_after_filter_ = settings.choice("texture.decode") == "after";
 }
 
+/// Sorts the lights that shine into those of each type. What can be left out is decided once a scene, for every place
+/// from which it may be seen.
+void LitSurface::choose_lights(const Scene& scene) {
+  const auto shining = std::min(scene.lights.size(), std::size_t(light_limit_));
+  const std::vector<Light> lights(scene.lights.begin(), scene.lights.begin() + std::ptrdiff_t(shining));
+  std::vector<int> kept(shining);
+  std::iota(kept.begin(), kept.end(), 0);
+  if (cull_lights_) {
+    const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
+    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), bounds(scene));
+  }
+  for (auto* list : {&points_, &spots_, &suns_}) list->clear();
+  for (const int i : kept) {
+    const LightType type = lights[std::size_t(i)].type;
+    (type == LightType::point ? points_ : type == LightType::spot ? spots_ : suns_).push_back(i);
+  }
+  lights_left_out_ = int(shining - kept.size());
+}
+
+void LitSurface::count(SceneCounts& counts) const {
+  counts.lights += std::int64_t(points_.size() + spots_.size() + suns_.size());
+  counts.lights_culled += lights_left_out_;
+}
+
 void LitSurface::prepare(Gl& gl, const Scene& scene) {
   gl_ = &gl;
+  choose_lights(scene);
   power_tables_.clear();
   textures_.clear();
   textures_.resize(scene.textures.size());
@@ -110,12 +140,12 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
     }
 }
 
-Need LitSurface::need(const Scene& scene, const View& view, const Material& material) const {
+Need LitSurface::need(const Scene&, const View& view, const Material& material) const {
   Need need{.wanted = true};
   Defines& d = need.structure;
-  d["POINT_LIGHTS"] = std::to_string(lights_of(scene, LightType::point, light_limit_).size());
-  d["SPOT_LIGHTS"] = std::to_string(lights_of(scene, LightType::spot, light_limit_).size());
-  d["DIRECTIONAL_LIGHTS"] = std::to_string(lights_of(scene, LightType::directional, light_limit_).size());
+  d["POINT_LIGHTS"] = std::to_string(points_.size());
+  d["SPOT_LIGHTS"] = std::to_string(spots_.size());
+  d["DIRECTIONAL_LIGHTS"] = std::to_string(suns_.size());
   if (has_specular(material)) {
     d["SPECULAR"] = "1";
     d["NORMALISATION"] = std::to_string(normalisation_);
@@ -141,28 +171,27 @@ std::map<std::string, std::string> LitSurface::outputs() const {
 void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
   binder.set("u_ambient", scene.ambient);
   const auto place = [&](const Light& light) { return glm::vec3(light.position - viewpoint.origin); };
-
-  const auto points = lights_of(scene, LightType::point, light_limit_);
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Light& light = scene.lights[std::size_t(points_[i])];
     const std::string name = fmt::format("u_point_lights[{}].", i);
-    binder.set(name + "position", place(*points[i]));
-    binder.set(name + "colour", points[i]->colour);
-    binder.set(name + "attenuation", points[i]->attenuation);
+    binder.set(name + "position", place(light));
+    binder.set(name + "colour", light.colour);
+    binder.set(name + "attenuation", light.attenuation);
   }
-  const auto spots = lights_of(scene, LightType::spot, light_limit_);
-  for (std::size_t i = 0; i < spots.size(); ++i) {
+  for (std::size_t i = 0; i < spots_.size(); ++i) {
+    const Light& light = scene.lights[std::size_t(spots_[i])];
     const std::string name = fmt::format("u_spot_lights[{}].", i);
-    binder.set(name + "position", place(*spots[i]));
-    binder.set(name + "direction", glm::normalize(spots[i]->direction));
-    binder.set(name + "colour", spots[i]->colour);
-    binder.set(name + "attenuation", spots[i]->attenuation);
-    binder.set(name + "cosines", blinn_phong::cone_cosines(spots[i]->inner_angle, spots[i]->outer_angle));
+    binder.set(name + "position", place(light));
+    binder.set(name + "direction", glm::normalize(light.direction));
+    binder.set(name + "colour", light.colour);
+    binder.set(name + "attenuation", light.attenuation);
+    binder.set(name + "cosines", blinn_phong::cone_cosines(light.inner_angle, light.outer_angle));
   }
-  const auto suns = lights_of(scene, LightType::directional, light_limit_);
-  for (std::size_t i = 0; i < suns.size(); ++i) {
+  for (std::size_t i = 0; i < suns_.size(); ++i) {
+    const Light& light = scene.lights[std::size_t(suns_[i])];
     const std::string name = fmt::format("u_directional_lights[{}].", i);
-    binder.set(name + "direction", glm::normalize(suns[i]->direction));
-    binder.set(name + "colour", suns[i]->colour);
+    binder.set(name + "direction", glm::normalize(light.direction));
+    binder.set(name + "colour", light.colour);
   }
 }
 

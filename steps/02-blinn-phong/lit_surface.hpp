@@ -17,17 +17,21 @@ class LitSurface : public Feature {
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void bind_material(Binder& binder, const Scene& scene, const Material& material) override;
+  void count(SceneCounts& counts) const override;
 
  private:
   enum class Power { direct, stable, table };
+  void choose_lights(const Scene& scene);
   GLuint power_table_for(float exponent);
 
-  bool per_vertex_ = false, decode_after_filter_ = false;
+  bool per_vertex_ = false, decode_after_filter_ = false, cull_lights_ = true;
   int normalisation_ = 0, light_limit_ = 64, table_size_ = 256;
   Power power_ = Power::direct;
   std::string filter_ = "scene";
 
   Gl* gl_ = nullptr;
+  std::vector<int> points_, spots_, suns_;  ///< lights to draw, as indices into the scene's
+  int lights_left_out_ = 0;
   std::vector<GlTexture> textures_;          ///< by index in the scene; empty where no material uses it
   std::map<float, GlTexture> power_tables_;  ///< by exponent
 };

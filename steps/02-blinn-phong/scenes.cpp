@@ -137,11 +137,39 @@ Scene edges() {
   return scene;
 }
 
+/// A bollard under its lamp, and across the water sixty lanterns too far away for anyone to see what they add, a
+/// searchlight that is turned away, and a lamp that is out.
+Scene quay() {
+  Scene scene{.name = "quay"};
+  scene.ambient = glm::vec3(0.005f);
+  const int stone = add_material(scene, {.name = "stone", .diffuse = glm::vec3(0.4f)});
+  const int iron = add_material(scene, plastic("iron", glm::vec3(0.08f), 60));
+  add_object(scene, make_plane({.width = 8, .depth = 6}), stone, {.name = "quay"});
+  add_object(scene, make_cylinder({.radius = 0.3f, .height = 0.7f}), iron, {.name = "bollard"});
+  add_object(scene, make_torus({.ring_radius = 0.34f, .tube_radius = 0.07f}), iron,
+             {.name = "rope", .translation = {0, 0.3, 0}});
+  add_light(scene, {.name = "lamp", .position = {1.2, 2.5, 1}, .colour = {6, 4.5f, 2.5f}});
+  for (int i = 0; i < 60; ++i)
+    add_light(
+        scene,
+        {.name = "lantern", .position = {10.0 * i - 300, 4, -450.0 - 7 * (i % 5)}, .colour = {0.5f, 0.35f, 0.15f}});
+  add_light(scene, {.type = LightType::spot,
+                    .name = "searchlight",
+                    .position = {-6, 3, -20},
+                    .direction = {-0.2f, 0.3f, -1},
+                    .colour = glm::vec3(200),
+                    .inner_angle = degrees(4),
+                    .outer_angle = degrees(6)});
+  add_light(scene, {.name = "out", .position = {-2, 2, 0}, .colour = glm::vec3(0)});
+  scene.camera = {.eye = {1.5, 1.7, 3.4}, .target = {0, 0.3, 0}, .fov_y = degrees(45), .near = 0.5f, .far = 30};
+  return scene;
+}
+
 }  // namespace
 
 std::vector<std::string> blinn_phong_scene_names() {
-  return {"teapot", "sphere", "materials", "lights", "facets", "backlight",
-          "spots",  "tiles",  "festival",  "edges",  "room",   "hall"};
+  return {"teapot", "sphere",   "materials", "lights", "facets", "backlight", "spots",
+          "tiles",  "festival", "edges",     "quay",   "room",   "hall"};
 }
 
 std::vector<SettingSpec> blinn_phong_scene_settings() {
@@ -171,6 +199,7 @@ Scene unadjusted_blinn_phong_scene(const std::string& name) {
   if (name == "tiles") return tiles();
   if (name == "festival") return festival();
   if (name == "edges") return edges();
+  if (name == "quay") return quay();
   return make_builtin_scene(name);
 }
 
