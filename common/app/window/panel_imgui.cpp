@@ -107,8 +107,8 @@ void ImGuiPanel::side_panel(Viewer& viewer, PanelState& state) const {
     viewer.choose_output(output);
   edit_settings(viewer);
   if (bool playing = viewer.playing(); ImGui::Checkbox("run the clock", &playing)) viewer.play(playing);
-  statistics(viewer);
   if (ImGui::Button("Help (H)", ImVec2(-1, 0))) state.help = !state.help;
+  statistics(viewer);
   ImGui::PopItemWidth();
   ImGui::End();
 }
@@ -121,10 +121,12 @@ void ImGuiPanel::statistics(Viewer& viewer) const {
                                      milliseconds > 0 ? fmt::format("{:.2f}", milliseconds) : "-", "eye, m", eye.x,
                                      eye.y, eye.z)
                              .c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(8 * scale_, scale_));
   for (const CostRow& row : cost_rows(viewer.cost())) {
     ImGui::TextUnformatted(fmt::format("{:<16} {:>11}", row.name, row.value).c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.meaning);
   }
+  ImGui::PopStyleVar();
 }
 
 void ImGuiPanel::messages(const Viewer& viewer, const PanelState& state) const {
