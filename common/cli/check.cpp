@@ -12,6 +12,7 @@
 #include "cli/commands.hpp"
 #include "cli/own_check.hpp"
 #include "cli/standing.hpp"
+#include "cli/stop.hpp"
 #include "grade/environment.hpp"
 #include "judge/report_json.hpp"
 #include "judge/report_terminal.hpp"
@@ -30,6 +31,16 @@ void print_verdict(const judge::StepResult& result, const CheckOptions& options,
   std::fflush(stdout);
 }
 
+/// Said where a picture may have failed for the driver's sake: the stored references were drawn by llvmpipe.
+std::string on_another_driver(const judge::SubmissionResult& result, bool live) {
+  const auto driver = result.environment.find("driver");
+  if (live || driver == result.environment.end() || driver->second.find("llvmpipe") != std::string::npos) return {};
+  return fmt::format(
+      "Your driver ({}) is not the one that drew the references: where only edges differ, --references live compares "
+      "with what the solution draws on yours.\n",
+      driver->second);
+}
+
 /// What to do now: after a pass, or where somebody is stuck.
 std::string what_next(const OwnCheck& check, bool passed) {
   if (!passed) return fmt::format("Stuck? ./atelier hint {}\n", check.step().number());
@@ -40,17 +51,21 @@ std::string what_next(const OwnCheck& check, bool passed) {
 }  // namespace
 
 int run_check(const CheckOptions& options) {
+  const StopOnSignal stop;
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
-  OwnCheck check(
-      folders, course, resolve_step(course, options.step),
-      {.cases = options.cases, .context = options.context, .earlier = options.earlier, .sources = options.sources});
+  OwnCheck check(folders, course, resolve_step(course, options.step),
+                 {.cases = options.cases,
+                  .context = options.context,
+                  .earlier = options.earlier,
+                  .sources = options.sources,
+                  .live = options.live});
   const fs::path report =
       options.report.empty() ? own_report_folder(folders, check.step().name) : fs::absolute(options.report);
 
   judge::SubmissionResult result;
   result.submission = "yours";
-  result.steps.push_back(check.judge());
+  result.steps.push_back(check.judge([&] { return stop.asked(); }));
   grade::sum_up(result);
   if (!options.json) print_verdict(result.steps.front(), options, report);
   check.record(result.steps.front());
@@ -63,6 +78,7 @@ int run_check(const CheckOptions& options) {
     if (!options.json) fmt::print("Report: {}\n", (report / "report.html").string());
   }
   const bool passed = grade::all_passed(result.steps.front());
+  if (!passed && !options.json) fmt::print("{}", on_another_driver(result, options.live));
   if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, passed));
   return passed ? exit_ok : exit_failed;
 }

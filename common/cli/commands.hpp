@@ -21,6 +21,7 @@ struct CheckOptions {
   std::vector<std::string> cases;  ///< only these; empty: all
   std::string context;             ///< "osmesa", "egl", "window", or empty: the first of them that is there
   std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
+  bool live = false;               ///< compare with what the solution draws here, not with the stored references
   std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
   std::filesystem::path sources;   ///< where the own NN-name/ folders are; empty: steps/
   bool heatmap = false, json = false, skip_report = false;
@@ -31,6 +32,7 @@ struct WatchOptions {
   std::string step;     ///< empty: the first that has not passed
   std::string context;  ///< "osmesa", "egl", "window", or empty: the first of them that is there
   std::string earlier;  ///< as for check
+  bool live = false;    ///< as for check
 };
 int run_watch(const WatchOptions& options);
 

@@ -12,6 +12,7 @@
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
 #include "cli/search_path.hpp"
+#include "cli/stop.hpp"
 #include "grade/environment.hpp"
 #include "grade/submission.hpp"
 #include "judge/report_html.hpp"
@@ -61,7 +62,7 @@ std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector
 }
 
 StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
-                      const grade::StepJudge& judge, Progress& progress) {
+                      const grade::StepJudge& judge, const StopOnSignal& stop, Progress& progress) {
   const grade::Submission& submission = grading.submission;
   if (const auto found = submission.passed_over.find(step.name); found != submission.passed_over.end())
     return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
@@ -72,6 +73,7 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   const grade::Code code{.sources = submission.folder, .libraries = grading.workshop.path() / "libraries"};
   progress.building(step.name);
   const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
+  if (stop.asked()) throw judge::Interrupted();  // a compiler that was stopped has no say
   if (!built.ok) return judge.judge_unbuilt(built);
 
   const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
@@ -81,6 +83,7 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   settings.context = options.context;
   settings.workers = options.workers;
   settings.shuffle = options.shuffle;
+  settings.interrupted = [&] { return stop.asked(); };
   settings.shader_cache = grading.workshop.path() / "shaders";  // it holds machine code: never shared
   std::size_t judged = 0;
   const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
@@ -101,6 +104,7 @@ void write_results(judge::SubmissionResult& result, const fs::path& out) {
 }  // namespace
 
 int run_grade(const GradeOptions& options) {
+  const StopOnSignal stop;
   Grading grading;
   grading.submission =
       grade::take_submission(grading.flags, options.submission, grading.workshop.path() / "submission");
@@ -123,7 +127,7 @@ int run_grade(const GradeOptions& options) {
   result.submission = grading.submission.name;
   Progress progress(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
-    progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], progress)));
+    progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
   progress.clear();
   grade::sum_up(result);
   point_to_submission(result, grading.submission.source);

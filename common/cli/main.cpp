@@ -49,6 +49,14 @@ void add_earlier(CLI::App* command, std::string& earlier) {
       ->check(CLI::IsMember({"mine", "solution"}));
 }
 
+void add_references(CLI::App* command, bool& live) {
+  command
+      ->add_option_function<std::string>(
+          "--references", [&live](const std::string& which) { live = which == "live"; },
+          "stored, or live: what the solution draws on this driver; without it: stored")
+      ->check(CLI::IsMember({"stored", "live"}));
+}
+
 struct AllOptions {
   ListOptions list;
   CheckOptions check;
@@ -79,6 +87,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   check->add_option("--case", options.check.cases, "Only this case; may stand several times");
   add_context(check, options.check.context);
   add_earlier(check, options.check.earlier);
+  add_references(check, options.check.live);
   check->add_option("--report", options.check.report, "Folder of the report; without it: out/check/STEP");
   check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; without it: steps")
       ->check(CLI::ExistingDirectory);
@@ -90,6 +99,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   watch->add_option("step", options.watch.step, "A step; without one: the first that has not passed");
   add_context(watch, options.watch.context);
   add_earlier(watch, options.watch.earlier);
+  add_references(watch, options.watch.live);
 
   CLI::App* run = interface.add("run", "Build your own files of a step and open its program", options.run, run_run);
   add_earlier(run, options.run.earlier);

@@ -1,7 +1,10 @@
 #include "cli/own_check.hpp"
 
+#include <fmt/format.h>
+
 #include <future>
 
+#include "base/error.hpp"
 #include "cli/own_files.hpp"
 #include "cli/progress_record.hpp"
 #include "judge/preview.hpp"
@@ -42,7 +45,19 @@ OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course
               .mistakes = folders.mistakes_file(step_.name),
               .reference_cache = folders.reference_cache()},
              options_.cases) {
+  if (options_.live && !is_there(folders_, step_.name, Owner::solution))
+    throw Error(fmt::format("--references live: the solution draws them, and {} is not here",
+                            (folders_.solutions() / step_.name).string()));
   read_progress(folders_.progress());  // a broken record is better heard of before the work than after
+}
+
+judge::RunSettings OwnCheck::run_settings(Implementations path) const {
+  judge::RunSettings settings;
+  settings.program = folders_.program(step_.name);
+  settings.implementations = std::move(path);
+  settings.context = options_.context;
+  settings.shader_cache = folders_.shader_cache();
+  return settings;
 }
 
 judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
@@ -50,13 +65,14 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
   std::future<void> references = std::async(std::launch::async, [&] { judge_.require_references(); });
   const OwnFiles own = prepare_own_files(folders_, course_, step_, own_code(folders_, options_), options_.earlier);
   references.get();
+  if (interrupted && interrupted()) throw judge::Interrupted();  // a compiler that was stopped has no say
 
-  judge::RunSettings settings;
-  settings.program = folders_.program(step_.name);
-  settings.implementations = own.path;
-  settings.context = options_.context;
-  settings.shader_cache = folders_.shader_cache();
+  judge::RunSettings settings = run_settings(own.path);
   settings.interrupted = interrupted;
+  if (options_.live && !live_drawn_) {  // once: the solution stays as it is
+    judge_.use_live_references(run_settings(search_path(folders_, step_.name, code_of(folders_, Owner::solution), {})));
+    live_drawn_ = true;
+  }
   judge::StepResult result =
       own.built.ok ? judge_.judge(settings, judge::KeepEvidence::always) : judge_.judge_unbuilt(own.built);
   if (own.built.not_taken.empty()) result.build_log = own.built.log;

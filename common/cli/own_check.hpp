@@ -17,6 +17,7 @@ struct OwnCheckOptions {
   std::string context;             ///< "osmesa", "egl", "window", or empty: the first of them that is there
   std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
   std::filesystem::path sources;   ///< where the own NN-name/ folders are; empty: steps/
+  bool live = false;               ///< compare with what the solution draws on the same driver
 };
 
 class OwnCheck {
@@ -40,11 +41,14 @@ class OwnCheck {
   const std::vector<CourseStep>& course() const { return course_; }
 
  private:
+  judge::RunSettings run_settings(Implementations path) const;
+
   ProjectFolders folders_;
   std::vector<CourseStep> course_;
   CourseStep step_;
   OwnCheckOptions options_;
   grade::StepJudge judge_;
+  bool live_drawn_ = false;
   std::string judged_files_;  ///< digest of what the last verdict is about
 };
 

@@ -90,7 +90,7 @@ class Session {
  public:
   Session(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
           const WatchOptions& options, Keyboard& keys)
-      : check_(folders, course, step, {.context = options.context, .earlier = options.earlier}),
+      : check_(folders, course, step, {.context = options.context, .earlier = options.earlier, .live = options.live}),
         context_(options.context),
         keys_(keys),
         files_(files_to_watch(folders, course, step)),

@@ -57,8 +57,24 @@ StepResult StepJudge::empty_result() const {
   StepResult result;
   result.step = file_.step;
   result.title = file_.title;
+  if (live_) result.references = "live";
   result.cases.resize(file_.cases.size());
   return result;
+}
+
+void StepJudge::use_live_references(const judge::RunSettings& solution) {
+  std::vector<const JudgedCase*> pictures;
+  std::vector<Case> asks;
+  for (const JudgedCase& c : file_.cases)
+    if (c.ask.probe.empty()) pictures.push_back(&c), asks.push_back(c.ask);
+  const std::vector<Answer> answers = judge::run_cases(solution, asks);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    if (!answers[i].pixels)
+      throw Error(fmt::format("live references: the solution of {} does not draw its case '{}' here: {}", file_.step,
+                              asks[i].name, answers[i].error));
+    references_.set_pictures(*pictures[i], {*answers[i].pixels});
+  }
+  live_ = true;
 }
 
 StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {

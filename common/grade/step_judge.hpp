@@ -39,6 +39,11 @@ class StepJudge {
   /// Reads all references now. Throws Error where one is missing or broken: then nobody can be judged.
   void require_references() const { references_.require(file_.cases); }
 
+  /// Has the solution draw every picture now, in the place of the stored references: for a driver that draws edges
+  /// otherwise than the one that they were made with. `solution` says how; it is to ask the same driver as `judge`
+  /// will. The numbers of probes hardly depend on a driver, and stay. Throws Error naming the case that is not drawn.
+  void use_live_references(const judge::RunSettings& solution);
+
   /// Asks the program for every case and judges each answer as it comes in. `settings` says which program and whose
   /// code; `keep` says which results carry pictures; `on_case` is called after each verdict. Throws Error only where
   /// the judge's own side is at fault.
@@ -58,6 +63,7 @@ class StepJudge {
 
   judge::CaseFile file_;
   judge::StepReferences references_;
+  bool live_ = false;
 };
 
 /// The score of a step is the sum of its cases', that of a submission the sum of its steps'.

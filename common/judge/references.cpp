@@ -67,6 +67,13 @@ void StepReferences::add(const std::string& case_name, CaseReferences references
   atlases_[case_name] = std::move(atlas);
 }
 
+void StepReferences::set_pictures(const JudgedCase& c, std::vector<Image> pictures) {
+  const std::lock_guard lock(*mutex_);
+  CaseReferences references = of(c);
+  references.pictures = std::move(pictures);
+  references_[c.ask.name] = std::move(references);
+}
+
 const Mistake* StepReferences::mistake(const std::string& name) const {
   const auto found = std::find_if(mistakes_.begin(), mistakes_.end(), [&](const Mistake& m) { return m.name == name; });
   return found == mistakes_.end() ? nullptr : &*found;

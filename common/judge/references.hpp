@@ -38,7 +38,7 @@ CaseAtlas seen_from_elsewhere(CaseAtlas atlas);
 /// May be used from several threads at once.
 class StepReferences {
  public:
-  /// Only what is added by hand: live references, tests.
+  /// Only what is added by hand.
   explicit StepReferences(std::string step, std::vector<Mistake> mistakes = {});
 
   /// From tests/cases/NN-name/. Decoded pictures are kept below `cache` (see picture_cache.hpp); empty: not kept.
@@ -47,6 +47,10 @@ class StepReferences {
 
   /// Puts references in the place of those in the folder.
   void add(const std::string& case_name, CaseReferences references, CaseAtlas atlas = {});
+
+  /// Puts other pictures in the place of the stored ones and keeps all else that is known of the case. Not while
+  /// anything is being judged.
+  void set_pictures(const JudgedCase& c, std::vector<Image> pictures);
 
   const CaseReferences& of(const JudgedCase& c) const;
   const CaseAtlas& atlas(const JudgedCase& c) const;

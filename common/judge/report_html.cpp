@@ -112,7 +112,7 @@ std::string step_html(const StepResult& step) {
       html += fmt::format("{}{}: {}", separator, escape_markup(of_step), escape_markup(who));
       separator = ", ";
     }
-    html += "</p>\n";
+    html += fmt::format("; compared with {} references</p>\n", escape_markup(step.references));
   }
   html += text_block("What the compiler said", step.build_log);
   for (const CaseGroup& group : case_groups(step)) html += group_html(step, group);

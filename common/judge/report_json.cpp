@@ -60,6 +60,7 @@ Json step_json(const StepResult& step) {
           {"title", step.title},
           {"score", points(step.score)},
           {"max_score", points(step.max_score)},
+          {"references", step.references},
           {"implementations", step.implementations},
           {"build_log", step.build_log},
           {"cases", std::move(cases)}};

@@ -54,6 +54,7 @@ std::string testsuite(const StepResult& step, const SubmissionResult& result) {
                                 attribute("name", step.step), step.cases.size(), failures(step), errors(step));
   xml += "    <properties>\n" + property("score", points_text(step.score)) +
          property("max_score", points_text(step.max_score));
+  xml += property("references", step.references);
   for (const auto& [of_step, who] : step.implementations) xml += property("implementation of " + of_step, who);
   for (const auto& [name, value] : result.environment) xml += property(name, value);
   for (const std::string& note : result.notes) xml += property("passed over", note);

@@ -99,6 +99,8 @@ std::string step_table(const StepResult& step, const TerminalStyle& style) {
   for (const auto& [of_step, who] : step.implementations) {
     text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
   }
+  if (step.references != "stored")
+    text += painted("  compared with " + printable(step.references) + " references", dim, style) + "\n";
   for (const CaseGroup& group : groups) text += group_line(step, group, name_width, score_width, style);
   return text;
 }

@@ -65,7 +65,8 @@ struct StepResult {
   std::string step, title;
   double score = 0, max_score = 0;
   std::vector<CaseResult> cases;
-  std::string build_log;                               ///< compiler's words; empty after a clean build; untrusted text
+  std::string build_log;              ///< compiler's words; empty after a clean build; untrusted text
+  std::string references = "stored";  ///< or "live": drawn by the solution, on the driver that drew the answers
   std::map<std::string, std::string> implementations;  ///< step -> "yours", "solution": who stands behind which step
 };
 

@@ -186,3 +186,19 @@ TEST_CASE("a step's program refuses what would change nothing", "[bad-input]") {
     CHECK(std::filesystem::is_empty(empty.path()));
   }
 }
+
+TEST_CASE("Ctrl-C leaves nothing in the system's temporary folder", "[bad-input]") {
+  const TemporaryFolder empty;
+  const std::filesystem::path temporary = empty.path() / "tmp";
+  std::filesystem::create_directory(temporary);
+  // As from a terminal: the shell that made the folder asks all its children to stop once there is something to lose.
+  const std::string script = fmt::format(
+      "set -m; export TMPDIR='{0}'; '{1}' grade '{2}' --out '{0}/../out' & "
+      "while kill -0 $! 2>/dev/null && ! ls '{0}'/atelier-run* >/dev/null 2>&1; do sleep 0.02; done; "
+      "kill -INT -- -$!; wait $!; echo status $?",
+      temporary.string(), (folders().build / "bin" / "atelier").string(), folders().solutions().string());
+  const Finished finished = run_process({.arguments = {"bash", "-c", script}});
+  INFO(finished.output);
+  CHECK(finished.output.find("status 130") != std::string::npos);  // 128 and SIGINT: what ended it
+  CHECK(std::filesystem::is_empty(temporary));
+}

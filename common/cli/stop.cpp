@@ -1,0 +1,37 @@
+#include "cli/stop.hpp"
+
+#include <iterator>
+
+namespace atelier {
+namespace {
+
+constexpr int ends[] = {SIGINT, SIGTERM, SIGHUP};
+volatile sig_atomic_t taken = 0;
+
+void take(int number) {
+  taken = number;
+}
+
+}  // namespace
+
+StopOnSignal::StopOnSignal() {
+  taken = 0;
+  struct sigaction action {};
+  action.sa_handler = take;
+  action.sa_flags = int(SA_RESTART | SA_RESETHAND);  // the second one finds the usual action, which is to end
+  for (std::size_t i = 0; i < std::size(ends); ++i) {
+    ::sigaction(ends[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) ::sigaction(ends[i], &action, nullptr);
+  }
+}
+
+StopOnSignal::~StopOnSignal() {
+  for (std::size_t i = 0; i < std::size(ends); ++i) ::sigaction(ends[i], &before_[i], nullptr);
+  if (taken != 0) ::raise(taken);
+}
+
+bool StopOnSignal::asked() const {
+  return taken != 0;
+}
+
+}  // namespace atelier
