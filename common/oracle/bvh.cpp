@@ -111,7 +111,9 @@ struct Bvh::Builder {
 
     const glm::dvec3 size = middles.high - middles.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    const std::uint32_t half = split(begin, end, axis, middles, depth > careful_depth);
+    // Areas of nothing tell no cut from another.
+    const bool by_number = depth > careful_depth || half_area(box) == 0;
+    const std::uint32_t half = split(begin, end, axis, middles, by_number);
     build(begin, half, depth + 1);
     const auto second = std::uint32_t(tree.nodes_.size());
     build(half, end, depth + 1);

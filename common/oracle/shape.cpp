@@ -11,15 +11,22 @@ namespace {
 
 constexpr double tau = 2 * glm::pi<double>();
 
-/// Both solutions of a t^2 + 2 h t + c = 0, the smaller first. The larger root in size comes from a sum of like signs,
-/// the other from their product c / a: no digits cancel (Press et al., "Numerical Recipes", 5.6).
-std::optional<std::array<double, 2>> solve_quadratic(double a, double h, double c) {
-  const double discriminant = h * h - a * c;
-  if (!(discriminant >= 0) || a == 0) return std::nullopt;
-  const double q = -(h + std::copysign(std::sqrt(discriminant), h));
-  double first = q / a, second = q != 0 ? c / q : q / a;
-  if (first > second) std::swap(first, second);
-  return std::array{first, second};
+/// Where o + t d is `radius` from the origin, in the plane (a cylinder) or in space (a sphere), the smaller t first.
+/// Neither a far origin nor one near the surface costs digits: the discriminant comes from the ray's closest approach
+/// (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019), and the root that a
+/// difference would make comes from the product of both.
+template <class Vector>
+std::optional<std::array<double, 2>> at_radius(const Vector& o, const Vector& d, double radius) {
+  const double a = glm::dot(d, d);
+  if (a == 0) return std::nullopt;
+  const double closest_t = -glm::dot(o, d) / a;
+  const Vector closest = o + closest_t * d;
+  const double half_chord_squared = radius * radius - glm::dot(closest, closest);
+  if (!(half_chord_squared >= 0)) return std::nullopt;
+  const double product = (glm::length(o) - radius) * (glm::length(o) + radius) / a;
+  const double larger = closest_t + std::copysign(std::sqrt(half_chord_squared / a), closest_t);
+  const double smaller = larger != 0 ? product / larger : 0;
+  return larger < smaller ? std::array{larger, smaller} : std::array{smaller, larger};
 }
 
 bool counts(const Ray& ray, double t) {
@@ -37,8 +44,7 @@ double turn_share(double x, double y) {
 }
 
 std::optional<ShapeHit> meet(const Sphere& sphere, const Ray& ray, bool front_only) {
-  const glm::dvec3 &o = ray.origin, &d = ray.direction;
-  const auto roots = solve_quadratic(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - sphere.radius * sphere.radius);
+  const auto roots = at_radius(ray.origin, ray.direction, sphere.radius);
   if (!roots) return std::nullopt;
   for (const double t : *roots) {
     if (!counts(ray, t)) continue;
@@ -51,8 +57,8 @@ std::optional<ShapeHit> meet(const Sphere& sphere, const Ray& ray, bool front_on
 }
 
 std::optional<ShapeHit> meet(const CylinderWall& wall, const Ray& ray, bool front_only) {
-  const glm::dvec2 o(ray.origin.x, ray.origin.z), d(ray.direction.x, ray.direction.z);
-  const auto roots = solve_quadratic(glm::dot(d, d), glm::dot(o, d), glm::dot(o, o) - wall.radius * wall.radius);
+  const auto roots =
+      at_radius(glm::dvec2(ray.origin.x, ray.origin.z), glm::dvec2(ray.direction.x, ray.direction.z), wall.radius);
   if (!roots) return std::nullopt;
   for (const double t : *roots) {
     const glm::dvec3 point = ray.at(t);

@@ -30,6 +30,7 @@ class World {
   /// which must outlive the world. Throws Error as validate() does, and where a shape's matrix cannot be inverted or
   /// its material is not one of the scene's.
   explicit World(const Scene& scene, std::vector<Shape> shapes = {});
+  explicit World(Scene&& scene, std::vector<Shape> shapes = {}) = delete;  // it would not outlive the world
 
   const Scene& scene() const { return scene_; }
 

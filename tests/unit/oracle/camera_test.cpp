@@ -1,0 +1,106 @@
+// Which ray belongs to which pixel, and how deep a point lies.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "catch.hpp"
+#include "pieces.hpp"
+
+namespace atelier::test {
+namespace {
+
+using oracle::CameraRays;
+
+Camera perspective_camera() {
+  return {.eye = {3, 2, 5}, .target = {-1, 0.5, -2}, .fov_y = 1.1f, .near = 0.25f, .far = 40};
+}
+
+Camera orthographic_camera() {
+  Camera camera = perspective_camera();
+  camera.projection = Projection::orthographic;
+  camera.height = 6;
+  camera.near = -3;
+  return camera;
+}
+
+/// The matrices of OpenGL's own conventions, from glm, in double precision.
+glm::dmat4 clip_from_world(const Camera& camera, double aspect) {
+  const glm::dmat4 view = glm::lookAt(camera.eye, camera.target, glm::dvec3(camera.up));
+  const double half = double(camera.height) / 2;
+  return (camera.projection == Projection::perspective
+              ? glm::perspective(double(camera.fov_y), aspect, double(camera.near), double(camera.far))
+              : glm::ortho(-half * aspect, half * aspect, -half, half, double(camera.near), double(camera.far))) *
+         view;
+}
+
+}  // namespace
+
+TEST_CASE("a point on a pixel's ray is projected into that pixel, at that depth", "[camera]") {
+  const glm::ivec2 size(37, 20);
+  for (const Camera& camera : {perspective_camera(), orthographic_camera()}) {
+    const CameraRays rays(camera, size);
+    const glm::dmat4 clip_from = clip_from_world(camera, double(size.x) / size.y);
+    Dice dice;
+    for (int i = 0; i < 200; ++i) {
+      const glm::dvec2 pixel(dice.next() * size.x, dice.next() * size.y);
+      const oracle::Ray ray = rays.through(pixel);
+      const double z = ray.least + dice.next() * (ray.most - ray.least);
+      const glm::dvec4 clip = clip_from * glm::dvec4(ray.at(z), 1);
+      const glm::dvec3 device = glm::dvec3(clip) / clip.w;
+      // Twenty roundings of numbers up to 40, divided by a near plane of 0.25.
+      CHECK(std::abs((device.x + 1) / 2 * size.x - pixel.x) < 1e-11);
+      CHECK(std::abs((1 - device.y) / 2 * size.y - pixel.y) < 1e-11);  // row 0 on top
+      CHECK(std::abs((device.z + 1) / 2 - rays.depth(z, false)) < 1e-13);
+    }
+  }
+}
+
+TEST_CASE("depth runs from plane to plane, either way round", "[camera]") {
+  for (const Camera& camera : {perspective_camera(), orthographic_camera()}) {
+    const CameraRays rays(camera, {8, 8});
+    const double near = camera.near, far = camera.far;
+    CHECK(rays.depth(near, false) == 0);
+    CHECK(rays.depth(far, false) == Approx(1).epsilon(1e-15));
+    CHECK(rays.depth(near, true) == Approx(1).epsilon(1e-15));
+    CHECK(rays.depth(far, true) == 0);
+    for (const double z : {near + 0.1, 1.0, 7.0, 39.0})
+      CHECK(std::abs(rays.depth(z, true) + rays.depth(z, false) - 1) < 1e-15);
+  }
+  Camera endless = perspective_camera();
+  endless.far = std::numeric_limits<float>::infinity();
+  CHECK(CameraRays(endless, {8, 8}).depth(10, true) == 0.025);
+  CHECK(CameraRays(endless, {8, 8}).depth(10, false) == 0.975);
+}
+
+TEST_CASE("nothing before the near plane or behind the far plane is seen", "[camera]") {
+  Scene scene = dark_scene();
+  add_object(scene, make_plane({.width = 100, .depth = 100}), 0);
+  const oracle::World world(scene);
+  Camera camera{.eye = {0, 2, 0}, .target = {0, 0, 0}, .up = {0, 0, -1}, .near = 1, .far = 3};
+  const auto sees = [&] { return world.seen(CameraRays(camera, {1, 1}).through({0.5, 0.5})).has_value(); };
+  CHECK(sees());
+  camera.near = 2.01f;
+  CHECK_FALSE(sees());
+  camera.near = 1, camera.far = 1.99f;
+  CHECK_FALSE(sees());
+}
+
+TEST_CASE("a camera that looks along its up vector takes the axis that the contract names", "[camera]") {
+  const struct {
+    const char* name;
+    glm::dvec3 target;
+    glm::vec3 up;
+    glm::dvec3 upwards;  ///< the way that is up in the picture
+  } rows[] = {
+      // |direction| is (0, 1, 0): x has the smallest component, and comes before z.
+      {"straight down", {0, -5, 0}, {0, 1, 0}, {1, 0, 0}},  {"straight up", {0, 5, 0}, {0, 1, 0}, {1, 0, 0}},
+      {"along x", {5, 0, 0}, {1, 0, 0}, {0, 1, 0}},         {"no up vector", {0, 0, -5}, {0, 0, 0}, {1, 0, 0}},
+      {"up at a slant", {0, 0, -5}, {0, 3, -4}, {0, 1, 0}},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    const CameraRays rays({.eye = {0, 0, 0}, .target = row.target, .up = row.up}, {2, 2});
+    const glm::dvec3 up = rays.through({1, 0}).direction - rays.through({1, 2}).direction;
+    CHECK(glm::length(glm::normalize(up) - row.upwards) < 1e-15);
+  }
+}
+
+}  // namespace atelier::test
