@@ -5,7 +5,7 @@
 
 namespace atelier {
 
-bool outside_view(const glm::mat4& to_clip, const Box3& box, bool reversed_depth) {
+bool outside_view(const glm::mat4& to_clip, const Box3& box, bool depth_from_zero) {
   if (box.empty()) return true;
   // The planes -w <= x, x <= w ... are linear in clip space, so a plane that has all corners of a box outside has all
   // of the box outside, wherever the eye is: no division by w, which may be zero or negative.
@@ -22,7 +22,7 @@ bool outside_view(const glm::mat4& to_clip, const Box3& box, bool reversed_depth
       return sign * c[axis] - limit > 1e-5 * (largest[axis] + limit_size);
     };
     for (int axis = 0; axis < 3; ++axis) {
-      const bool from_zero = axis == 2 && reversed_depth;
+      const bool from_zero = axis == 2 && depth_from_zero;
       const bool low = from_zero ? beyond(axis, -1, 0, 0) : beyond(axis, -1, c.w, largest.w);
       all_outside[std::size_t(2 * axis)] &= low;
       all_outside[std::size_t(2 * axis + 1)] &= beyond(axis, 1, c.w, largest.w);

@@ -8,10 +8,10 @@
 namespace atelier {
 
 /// Whether the whole of an object's box lies outside the clip volume, on the far side of one of its six planes; true
-/// also for an empty box. `to_clip` takes object space to clip space; depth runs from -w to w, or from 0 to w where it
-/// is reversed. Never true for a box of which anything can be drawn; a few boxes near an edge of the volume are let
-/// pass although nothing of them is seen (Assarsson and Moeller, "Optimized View Frustum Culling Algorithms for
+/// also for an empty box. `to_clip` takes object space to clip space; depth runs from -w to w, or from 0 to w
+/// where `depth_from_zero`. Never true for a box of which anything can be drawn; a few boxes near an edge of the volume
+/// are let pass although nothing of them is seen (Assarsson and Moeller, "Optimized View Frustum Culling Algorithms for
 /// Bounding Boxes", Journal of Graphics Tools 5(1), 2000).
-bool outside_view(const glm::mat4& to_clip, const Box3& box, bool reversed_depth = false);
+bool outside_view(const glm::mat4& to_clip, const Box3& box, bool depth_from_zero = false);
 
 }  // namespace atelier

@@ -19,6 +19,11 @@ Box3 box_of(const Mesh& mesh) {
   return box;
 }
 
+/// Whether clip space has depths from 0 to w instead of from -w to w.
+bool depth_from_zero(const View& view) {
+  return view.reversed_depth && view.camera.projection == Projection::perspective;
+}
+
 }  // namespace
 
 Renderer::Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
@@ -115,7 +120,10 @@ Viewpoint Renderer::look(const View& view, const Target& target) const {
   glm::mat4 projection;
   if (camera.projection == Projection::orthographic) {
     const float top = camera.height / 2, right = top * aspect;
-    projection = transforms_.orthographic(-right, right, -top, top, camera.near, camera.far);
+    // Reversed: the planes change places. Depth is even between them, so nothing is gained by a range from 0 to 1.
+    const float first = view.reversed_depth ? camera.far : camera.near,
+                last = view.reversed_depth ? camera.near : camera.far;
+    projection = transforms_.orthographic(-right, right, -top, top, first, last);
   } else {
     const auto make = view.reversed_depth ? transforms_.perspective_reversed : transforms_.perspective;
     projection = make(camera.fov_y, aspect, camera.near, camera.far);
@@ -157,7 +165,8 @@ void Renderer::place(const Viewpoint& viewpoint) {
 bool Renderer::hidden(const Draw& draw, const Viewpoint& viewpoint) const {
   if (!viewpoint.view.cull) return false;
   const Box3& box = meshes_[std::size_t(*scene_->nodes[std::size_t(draw.node)].mesh)].box;
-  return outside_view(viewpoint.projection * viewpoint.world_to_view * draw.model, box, viewpoint.view.reversed_depth);
+  return outside_view(viewpoint.projection * viewpoint.world_to_view * draw.model, box,
+                      depth_from_zero(viewpoint.view));
 }
 
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
@@ -165,8 +174,8 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   if (view.reversed_depth && !gl_.ClipControl.call)
     throw Error("reversed depth needs glClipControl (OpenGL 4.5 or ARB_clip_control), which this driver lacks");
   target.bind(gl_);
-  if (gl_.ClipControl.call)
-    gl_.ClipControl(GL_LOWER_LEFT, GLenum(view.reversed_depth ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
+  const bool from_zero = depth_from_zero(view);
+  if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GLenum(from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
   gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
   gl_.DepthMask(GL_TRUE);
   gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);

@@ -195,6 +195,14 @@ TEST_CASE("reversed depth is one at the near plane", "[renderer]") {
     CHECK(depth_at(z) == Approx(0.5 * (10 - z) / (z * 9.5)).margin(1e-5));
   }
   CHECK(studio.draw(scene, {.camera = scene.camera, .output = "depth"}).at(16, 13).r > 0.9);  // and the next is not
+
+  // Without perspective it is even: d = (f - z) / (f - n).
+  scene.camera.projection = Projection::orthographic;
+  scene.camera.height = 1;
+  for (const double z : {0.5001, 3.0, 9.5}) {
+    INFO(z << ", orthographic");
+    CHECK(depth_at(z) == Approx((10 - z) / 9.5).margin(1e-5));
+  }
 }
 
 TEST_CASE("equal keys share a program, and a program is linked once", "[renderer]") {
