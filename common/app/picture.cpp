@@ -28,6 +28,15 @@ Painter::Painter(StepProgram& program, HeadlessContext& context, const Implement
   program_.open(context_.gl(), implementations_);
 }
 
+void check_output(const StepDescription& description, const std::string& output) {
+  const auto& outputs = description.outputs;
+  if (std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == output; })) {
+    std::vector<std::string> names;
+    for (const OutputSpec& spec : outputs) names.push_back(spec.name);
+    throw Error(fmt::format("output '{}': {} offers {}", output, description.name, fmt::join(names, ", ")));
+  }
+}
+
 Settings settings_for(const StepDescription& description, const Case& c) {
   Settings settings(description.settings);
   for (const auto& [name, value] : c.settings) settings.set(name, value);
@@ -55,12 +64,7 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
 
 Image Painter::paint(const Case& picture, double time) {
   const StepDescription& description = program_.description();
-  const auto& outputs = description.outputs;
-  if (std::none_of(outputs.begin(), outputs.end(), [&](const auto& o) { return o.name == picture.output; })) {
-    std::vector<std::string> names;
-    for (const OutputSpec& output : outputs) names.push_back(output.name);
-    throw Error(fmt::format("output '{}': {} offers {}", picture.output, description.name, fmt::join(names, ", ")));
-  }
+  check_output(description, picture.output);
   const Settings settings = settings_for(description, picture);
   program_.load(picture.scene.empty() ? description.scenes.at(0) : picture.scene, settings);
   const Target& target = target_for({.width = picture.size.x,

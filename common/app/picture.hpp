@@ -16,6 +16,9 @@ Camera apply(const CaseCamera& change, Camera camera);
 /// The program's settings with what a case changes of them. Throws Error for an unknown name or a value out of range.
 Settings settings_for(const StepDescription& description, const Case& c);
 
+/// Throws Error with the outputs that there are, unless the program has this one.
+void check_output(const StepDescription& description, const std::string& output);
+
 class Painter {
  public:
   /// Opens `program` on `context`; both must outlive the painter.

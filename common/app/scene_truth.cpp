@@ -13,6 +13,10 @@ Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescr
                   const Settings& settings) {
   if (lists(description, "draw.wireframe") && settings.flag("draw.wireframe"))
     throw Error("draw.wireframe has no ground truth: edges have no width");
+  if (request.output == "depth" && lists(description, "camera.fit_depth") && settings.flag("camera.fit_depth"))
+    throw Error(
+        "output 'depth' has no ground truth under camera.fit_depth: the planes that it is measured between are "
+        "the renderer's own choice");
   truth.scene.camera = apply(request.camera, truth.scene.camera);
   oracle::PictureRequest wanted{
       .camera = truth.scene.camera,

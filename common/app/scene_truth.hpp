@@ -27,8 +27,9 @@ using MakeTruth =
 
 /// Has the oracle trace it as the view settings ask: "depth.format" says whether depths are reversed,
 /// "world.camera_relative" from where positions are measured. Depth precision and where the world's origin lies are
-/// no matter to the truth, and edges ("draw.wireframe") have no width and so no truth: Error. Throws Error also where
-/// the camera that the request makes is out of its ranges.
+/// no matter to the truth, nor is what is left out to save time; depths between planes that the renderer chooses
+/// ("camera.fit_depth") have no truth: Error. Edges ("draw.wireframe") have no width and so no truth either: Error.
+/// Throws Error also where the camera that the request makes is out of its ranges.
 Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescription& description,
                   const Settings& settings);
 

@@ -16,6 +16,8 @@ namespace atelier {
 
 namespace {
 
+constexpr const char* only_of_truth = "thing";  // which node is seen: OpenGL has no such picture
+
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -29,6 +31,7 @@ bool stderr_is_a_terminal() {
 
 Image trace_case(const StepProgram& program, const Case& picture, int samples) {
   const StepDescription& description = program.description();
+  if (picture.output != only_of_truth) check_output(description, picture.output);
   const auto bar = std::make_shared<ProgressBar>(stderr, stderr_is_a_terminal());
   return program.truth({.scene = picture.scene.empty() ? description.scenes.at(0) : picture.scene,
                         .camera = picture.camera,
