@@ -127,6 +127,8 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
     if (c.unit != Unit::colour) r.refuse("'exposure' belongs to unit 'colour' alone");
     c.exposure = strict_json::number(*exposure, r.at("exposure"), 1e-6, 1e6);
   }
+  if (const Json* differs = r.find("truth_differs"))
+    c.truth_differs = strict_json::text(*differs, r.at("truth_differs"));
   c.references = read_references(r, c.ask.name, folder);
 }
 

@@ -34,6 +34,8 @@
 //     "mask"       [[x, y, width, height], ...]: what is not compared, at most a quarter of the picture
 //     "regions"    [{"name", "at": [x, y, width, height], "weight"}, ...]: what counts more or less for partial credit
 //     "reason"     why delta, budget and mask are what they are; required where they are not the default
+//     "truth_differs"  why the reference is not the ground truth that the program's --truth traces; for the project's
+//                  own tests (tests/steps/truth.cpp), the judge does nothing with it
 //     "references" accepted pictures beside the case file: ["NAME.exr"]
 //
 //   Of a probe
@@ -96,7 +98,8 @@ struct JudgedCase {
   double exposure = 1;          ///< factor before clamping, colour only
   std::vector<Rectangle> mask;  ///< what is not compared; a NaN or an infinity there fails all the same
   std::vector<Region> regions;  ///< what counts more or less for partial credit
-  std::string reason;  ///< why delta, budget and mask are what they are; required where they are not the default
+  std::string reason;         ///< why delta, budget and mask are what they are; required where they are not the default
+  std::string truth_differs;  ///< why the reference is not what --truth traces; empty where it is
   std::vector<std::filesystem::path> references;  ///< accepted pictures; the case file's folder stands before the name
 
   // Of a probe
