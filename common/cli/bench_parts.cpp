@@ -1,10 +1,14 @@
 // The parts of a verdict that happen in this process.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "cli/bench.hpp"
 #include "gl/context.hpp"
 #include "image/compare.hpp"
 #include "image/flip.hpp"
+#include "oracle/picture.hpp"
+#include "scene/builtin.hpp"
 
 namespace atelier {
 namespace {
@@ -19,6 +23,25 @@ Image test_picture(int width, int height, float offset) {
       image.at(x, y) = {wave + offset, 0.7f * wave + tile, tile + offset, 1};
     }
   return image;
+}
+
+/// The oracle on all processors: rays from the eye alone, and a picture with rays to the lights.
+void bench_oracle(int repeats, std::vector<Figure>& figures) {
+  const Scene scene = make_builtin_scene("teapot");
+  const oracle::World world(scene);
+  const int side = 512;
+  const auto traced = [&](const char* name, oracle::Output output, bool shadows, const char* unit) {
+    Figure figure = measure(name, "", repeats, [&] {
+      oracle::trace(
+          world,
+          {.camera = scene.camera, .size = {side, side}, .output = output, .shading = {.hard_shadows = shadows}});
+    });
+    figure.detail = fmt::format("teapot scene of {} triangles, {}x{}: {:.1f} million {} a second",
+                                world.triangle_count(), side, side, 1e-6 * side * side / figure.seconds, unit);
+    figures.push_back(figure);
+  };
+  traced("oracle, what is seen", oracle::Output::thing, false, "rays");
+  traced("oracle, with hard shadows", oracle::Output::colour, true, "pixels");
 }
 
 }  // namespace
@@ -44,6 +67,7 @@ std::vector<Figure> bench_parts(int repeats) {
     // Half of what NVIDIA's own tool takes on the same cores.
     figures.back().limit = threads == 1 ? 0.28 : 0.16;
   }
+  bench_oracle(repeats, figures);
   return figures;
 }
 

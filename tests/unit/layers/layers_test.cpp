@@ -29,7 +29,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"judge", {"base", "case", "image", "image_io"}},  // no GL: it reads what programs wrote, and trusts none of it
     {"measure", {"base", "case", "image", "judge"}},  // it runs step programs, and links none
     {"grade", {"base", "case", "gl", "judge"}},
-    {"cli", {"base", "case", "gl", "grade", "image", "image_io", "judge", "measure"}},
+    {"cli", {"base", "case", "gl", "grade", "image", "image_io", "judge", "measure", "oracle", "scene"}},
 };
 
 struct Include {
