@@ -110,6 +110,34 @@ Scene slats() {
   return scene;
 }
 
+/// 1024 pairs of squares, each in a tile of its own that both fill: red, and blue in front of it by a
+/// hundred-thousandth of its distance. Distances are spread evenly by factors from the near plane, lower left, to the
+/// far plane, upper right. Red is drawn first, so that a pair whose depths are alike stays red: red is what came out in
+/// the wrong order.
+Scene depth_pairs(const Settings& settings) {
+  Scene scene{.name = "depth-pairs"};
+  constexpr int tiles = 32;  // a side; in a picture of a multiple of 32 pixels no pixel's centre lies on an edge
+  const double near = settings.real("pairs.near"), far = 1e4, gap = 1e-5;
+  Mesh behind{.name = "behind"}, before{.name = "before"};
+  const auto add = [&](Mesh& mesh, int tile, double distance) {
+    const double x = tile % tiles - tiles / 2, y = tile / tiles - tiles / 2, side = distance / (tiles / 2);
+    const std::uint32_t first = std::uint32_t(mesh.vertices.size());
+    for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
+      mesh.vertices.push_back(
+          {{float((x + right) * side), float((y + up) * side), float(-distance)}, {0, 0, 1}, {0, 0}});
+    for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) mesh.indices.push_back(first + corner);
+  };
+  for (int tile = 0; tile < tiles * tiles; ++tile) {
+    const double distance = near * std::pow(far / near, (tile + 0.5) / (tiles * tiles));
+    add(behind, tile, distance * (1 + gap));
+    add(before, tile, distance);
+  }
+  add_object(scene, behind, matte(scene, "red", {0.85f, 0.2f, 0.15f}), {.name = "behind"});
+  add_object(scene, before, matte(scene, "blue", {0.15f, 0.3f, 0.85f}), {.name = "before"});
+  scene.camera = {.eye = {0, 0, 0}, .target = {0, 0, -1}, .fov_y = degrees(90), .near = float(near), .far = float(far)};
+  return scene;
+}
+
 /// A still life, moved away from the world's origin by the setting world.offset.
 Scene far_away(const Settings& settings) {
   Scene scene = make_builtin_scene("primitives");
@@ -139,7 +167,7 @@ Scene plan() {
 }  // namespace
 
 std::vector<std::string> transform_scene_names() {
-  return {"robot", "triangle", "teapot", "stretched", "hall", "spiral", "slats", "far", "plan"};
+  return {"robot", "triangle", "teapot", "stretched", "hall", "spiral", "slats", "far", "plan", "depth-pairs"};
 }
 
 std::vector<SettingSpec> transform_scene_settings() {
@@ -156,6 +184,11 @@ std::vector<SettingSpec> transform_scene_settings() {
        .low = 0,
        .high = 1e7,
        .help = "how far the scene 'far' stands from the world's origin, metres"},
+      {.name = "pairs.near",
+       .fallback = 0.1,
+       .low = 1e-4,
+       .high = 1e3,
+       .help = "where the near plane of the scene 'depth-pairs' stands, metres; the far plane stands at 10 km"},
   };
 }
 
@@ -174,6 +207,7 @@ Scene make_transform_scene(const std::string& name, const Settings& settings) {
   if (name == "spiral") return spiral();
   if (name == "slats") return slats();
   if (name == "far") return far_away(settings);
+  if (name == "depth-pairs") return depth_pairs(settings);
   if (name == "plan") return plan();
   if (name == "triangle") return {.name = "triangle"};
   return make_builtin_scene(name);

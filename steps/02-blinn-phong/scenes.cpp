@@ -1,6 +1,7 @@
 #include "02-blinn-phong/scenes.hpp"
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "02-blinn-phong/studies.hpp"
 #include "base/error.hpp"
 #include "scene/builder.hpp"
 #include "scene/builtin.hpp"
@@ -165,11 +166,17 @@ Scene quay() {
   return scene;
 }
 
+/// The exponent that material.exponent asks for; without one, that of a new material.
+float asked_exponent(const Settings& settings) {
+  const double asked = settings.real("material.exponent");
+  return asked >= 0 ? float(asked) : Material().exponent;
+}
+
 }  // namespace
 
 std::vector<std::string> blinn_phong_scene_names() {
-  return {"teapot", "sphere",   "materials", "lights", "facets", "backlight", "spots",
-          "tiles",  "festival", "edges",     "quay",   "room",   "hall"};
+  return {"teapot",   "sphere", "materials", "lights", "facets", "backlight", "spots",     "tiles",
+          "festival", "edges",  "quay",      "room",   "hall",   "furnace",   "highlight", "plate"};
 }
 
 std::vector<SettingSpec> blinn_phong_scene_settings() {
@@ -182,6 +189,11 @@ std::vector<SettingSpec> blinn_phong_scene_settings() {
       {.name = "material.balance",
        .fallback = false,
        .help = "scale materials so that diffuse and specular colour together are at most 1"},
+      {.name = "plate.cells",
+       .fallback = 32,
+       .low = 1,
+       .high = 512,
+       .help = "squares along a side of the scene 'plate'"},
   };
 }
 
@@ -192,7 +204,7 @@ void adjust_materials(Scene& scene, const Settings& settings) {
   }
 }
 
-Scene unadjusted_blinn_phong_scene(const std::string& name) {
+Scene unadjusted_blinn_phong_scene(const std::string& name, const Settings& settings) {
   if (name == "facets") return facets();
   if (name == "backlight") return backlight();
   if (name == "spots") return spots();
@@ -200,11 +212,14 @@ Scene unadjusted_blinn_phong_scene(const std::string& name) {
   if (name == "festival") return festival();
   if (name == "edges") return edges();
   if (name == "quay") return quay();
+  if (name == "furnace") return furnace();
+  if (name == "highlight") return highlight(asked_exponent(settings));
+  if (name == "plate") return plate(settings);
   return make_builtin_scene(name);
 }
 
 Scene make_blinn_phong_scene(const std::string& name, const Settings& settings) {
-  Scene scene = unadjusted_blinn_phong_scene(name);
+  Scene scene = unadjusted_blinn_phong_scene(name, settings);
   adjust_materials(scene, settings);
   return scene;
 }

@@ -9,8 +9,9 @@ namespace atelier {
 std::vector<std::string> blinn_phong_scene_names();
 std::vector<SettingSpec> blinn_phong_scene_settings();
 
-/// A scene as its author wrote it. Throws Error for an unknown name.
-Scene unadjusted_blinn_phong_scene(const std::string& name);
+/// A scene as its author wrote it, and as the settings that belong to it alone shape it. Throws Error for an unknown
+/// name.
+Scene unadjusted_blinn_phong_scene(const std::string& name, const Settings& settings);
 
 /// The same with the settings' changes. Throws Error for an unknown name.
 Scene make_blinn_phong_scene(const std::string& name, const Settings& settings);

@@ -58,7 +58,7 @@ SceneTruth blinn_phong_truth(const TruthRequest& request, const Settings& settin
   if (model) {
     truth.scene = std::move(*model);
   } else {
-    truth.scene = unadjusted_blinn_phong_scene(request.scene);
+    truth.scene = unadjusted_blinn_phong_scene(request.scene, settings);
     adjust_exactly(truth.scene, settings);
   }
   const auto lights = std::size_t(settings.integer("light.count"));
