@@ -127,6 +127,19 @@ struct BenchOptions {
 };
 int run_bench(const BenchOptions& options);
 
+struct MeasureOptions {
+  std::string step;
+  std::string setting;        ///< only the sweeps of this one; empty: everything
+  std::string context;        ///< "osmesa", "egl", "window", or empty: the first of them that is there
+  std::filesystem::path out;  ///< empty: out/measure/NN-name
+  int frames = 15;            ///< that each picture is timed with
+  bool mine = false;          ///< the student's own files, although there is a solution
+  bool handout = false;       ///< write the plots of the handout instead
+  bool check = false;         ///< with `handout`: write nothing, fail where a number has changed
+  bool json = false;
+};
+int run_measure(const MeasureOptions& options);
+
 struct TestOptions {
   enum class Tier { quick, usual, all } tier = Tier::usual;
 };

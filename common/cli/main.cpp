@@ -75,6 +75,7 @@ struct AllOptions {
   ReferenceOptions reference;
   SkeletonOptions skeleton;
   BenchOptions bench;
+  MeasureOptions measure;
   TestOptions test;
 };
 
@@ -168,6 +169,24 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
       ->capture_default_str();
 }
 
+void describe_measure(Interface& interface, MeasureOptions& options) {
+  CLI::App* measure =
+      interface.add("measure", "Error against time and memory, setting by setting, with plots", options, run_measure);
+  add_step(measure, options.step);
+  measure->add_option("--setting", options.setting, "Only the sweeps of this setting; without it: all, and the fronts");
+  measure->add_option("--out", options.out, "Folder of the results; without it: out/measure/STEP");
+  measure->add_option("--frames", options.frames, "Frames that each picture is timed with")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  measure->add_flag("--mine", options.mine, "Your own files; without it: the solution, where there is one");
+  CLI::Option* handout =
+      measure->add_flag("--handout", options.handout, "Draw the plots of the step's handout again, and nothing else");
+  measure->add_flag("--check", options.check, "With --handout: write nothing; fail where a number has changed")
+      ->needs(handout);
+  add_context(measure, options.context);
+  add_json(measure, options.json);
+}
+
 void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
@@ -195,6 +214,8 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   add_json(bench, options.bench.json);
+
+  describe_measure(interface, options.measure);
 
   CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
   auto* quick = test->add_flag_callback(

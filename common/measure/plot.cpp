@@ -80,7 +80,7 @@ Range range_of(const Plot& plot, const Axis& axis, int component) {
   if (component == 1)
     for (const Level& level : plot.levels) take(level.y);
   for (const Tick& tick : axis.ticks) take(tick.at);
-  range = widened(range, any, axis.scale);
+  range = axis.ticks.empty() ? widened(range, any, axis.scale) : Range{range.low - 0.5, range.high + 0.5};
   if (axis.low) range.low = *axis.low;
   if (axis.high) range.high = *axis.high;
   return range;
@@ -189,8 +189,8 @@ std::string frame_script(const Plot& plot, const std::string& file) {
       "set output {}\nset encoding utf8\nset border 3 lc rgb '{}'\n"
       "set grid xtics ytics lt 1 lw 1 lc rgb '#e3e1db'\nset title {} noenhanced font ',14'\n"
       "set key bottom outside center horizontal samplen 2\nset tics textcolor rgb '{}' scale 0.6\n"
-      "set rmargin 3\n",
-      plot.width, plot.height, quoted(file), soft, quoted(plot.title), ink);
+      "set rmargin {}\n",
+      plot.width, plot.height, quoted(file), soft, quoted(plot.title), ink, plot.x.ticks.empty() ? 3 : 5);
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+// How far a picture is from its truth. Pictures are the raw floats that a program wrote; opacity is not looked at.
+#pragma once
+
+#include "image/colour.hpp"
+#include "image/image.hpp"
+#include "measure/plan.hpp"
+
+namespace atelier::measure {
+
+/// By metric; red, green and blue are a pixel's three numbers a and b:
+/// - rmse: the root of the mean of (a - b)^2 over all channels of all pixels, in the output's unit.
+/// - distance: the root of the mean of |a - b|^2 over all pixels: metres, where the output is a position.
+/// - misclassified: the share of pixels, 0..1, of which a channel is off by more than 3/255 once encoded for a screen:
+///   the difference that processors of different makers have in a right picture.
+/// - flip: the mean of LDR-FLIP (image/flip.hpp), 0..1. Throws Error where `encoding` is data.
+/// - degrees: the root of the mean of the squared angles between directions that are coded as n/2 + 1/2.
+/// - displacement: how far the picture has moved, in pixels: the median of |a - b| / |gradient of b|, over the pixels
+///   round which b is nearly linear. Where colour travels with what is seen, this is the length of the normal flow
+///   (B. K. P. Horn and B. G. Schunck: Determining Optical Flow, Artificial Intelligence 17, 1981); the median passes
+///   over what has come into sight. 0 where there is no gradient.
+/// - mean: the mean of all channels of `picture`; `truth` is not looked at.
+/// Throws Error where sizes differ, or where a pixel of either is not finite: an error of NaN would say nothing.
+double error_of(const Image& picture, const Image& truth, Metric metric, Encoding encoding = Encoding::linear);
+
+}  // namespace atelier::measure

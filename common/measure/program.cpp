@@ -1,0 +1,146 @@
+#include "measure/program.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "case/exchange.hpp"
+#include "case/printable.hpp"
+#include "case/strict_json.hpp"
+#include "judge/runner.hpp"
+
+namespace atelier::measure {
+namespace {
+
+namespace fs = std::filesystem;
+using strict_json::Json;
+
+constexpr std::chrono::hours time_limit{2};   ///< of one program with all its cases; tracing is slow
+constexpr std::size_t stats_limit = 1 << 16;  ///< bytes of a NAME.stats
+
+std::map<std::string, std::string> environment_of(const Program& program) {
+  judge::RunSettings settings;
+  settings.shader_cache = program.shader_cache;
+  settings.environment["GALLIVM_PERF"] = "";
+  return judge::program_environment(settings);
+}
+
+std::string run(const Program& program, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program.file.string());
+  arguments.insert(arguments.end(), {"--implementations", program.implementations.to_string()});
+  const Finished finished = run_process(
+      {.arguments = arguments, .folder = {}, .environment = environment_of(program), .time_limit = time_limit});
+  if (finished.ok()) return finished.output;
+  const std::string how = finished.signal      ? signal_name(finished.signal)
+                          : finished.timed_out ? "it took too long"
+                                               : fmt::format("status {}", finished.exit_status);
+  throw Error(
+      fmt::format("{}: {}: {}", program.file.filename().string(), how, shorten(printable(finished.output), 600)));
+}
+
+/// Has the program answer the cases with `options`, and hands the folder of its answers to `take`.
+template <class Take>
+void answer(const Program& program, const std::vector<Case>& cases, const std::vector<std::string>& options,
+            Take take) {
+  if (cases.empty()) return;
+  const TemporaryFolder folder("atelier-measure");
+  Json job = {{"cases", Json::array()}};
+  for (const Case& c : cases) job["cases"].push_back(to_json(c));
+  const fs::path file = folder.path() / "cases.json", out = folder.path() / "out";
+  write_file(file, job.dump());
+  fs::create_directories(out);
+  std::vector<std::string> arguments = {"--cases", file.string(), "--out", out.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  run(program, arguments);
+  for (const Case& c : cases) {
+    for (const char* kind : {".build_error", ".error", ".exception"})
+      if (const std::string words = read_case_error(out / (c.name + kind)); !words.empty())
+        throw Error(fmt::format("{}: scene '{}': {}", program.file.filename().string(), c.scene, words));
+    take(out, c);
+  }
+}
+
+Cost read_cost(const fs::path& file) {
+  constexpr double most = 1e18;
+  const std::string where = file.filename().string();
+  const Json json = strict_json::parse(read_file(file, stats_limit), where);
+  Cost cost;
+  for (const auto& [name, value] : strict_json::required(json, "counts", where).items())
+    cost.counts[name] = strict_json::number(value, where + ": counts: " + name, 0, most);
+  if (const Json* frames = strict_json::optional(json, "frames")) {
+    const auto member = [&](const char* name) {
+      return strict_json::number(strict_json::required(*frames, name, where), where + ": frames: " + name, 0, most);
+    };
+    cost.times = {.count = int(member("count")),
+                  .median = member("median_s"),
+                  .least = member("least_s"),
+                  .most = member("most_s")};
+  }
+  return cost;
+}
+
+SettingSpec setting_of(const Json& json) {
+  SettingSpec spec{.name = json.at("name").get<std::string>()};
+  const Json& fallback = json.at("default");
+  if (fallback.is_boolean())
+    spec.fallback = fallback.get<bool>();
+  else if (fallback.is_number_integer())
+    spec.fallback = fallback.get<int>();
+  else if (fallback.is_number())
+    spec.fallback = fallback.get<double>();
+  else
+    spec.fallback = fallback.get<std::string>();
+  if (json.contains("choices")) spec.choices = json["choices"].get<std::vector<std::string>>();
+  if (json.contains("range")) spec.low = json["range"][0], spec.high = json["range"][1];
+  return spec;
+}
+
+}  // namespace
+
+std::vector<std::string> Listing::output_names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, encoding] : outputs) names.push_back(name);
+  return names;
+}
+
+Listing list_of(const Program& program) {
+  const std::string text = run(program, {"--list", "--json"});
+  Listing listing;
+  try {
+    const Json json = Json::parse(text);
+    for (const Json& setting : json.at("settings")) listing.settings.push_back(setting_of(setting));
+    for (const Json& output : json.at("outputs")) {
+      const std::string encoding = output.at("encoding");
+      listing.outputs[output.at("name")] = encoding == "linear colour"    ? Encoding::linear
+                                           : encoding == "encoded colour" ? Encoding::srgb
+                                                                          : Encoding::data;
+    }
+  } catch (const Json::exception& error) {
+    throw Error(fmt::format("{} --list --json: {}", program.file.filename().string(), error.what()));
+  }
+  return listing;
+}
+
+std::vector<Drawn> draw(const Program& program, const std::vector<Case>& cases, int repeats) {
+  std::vector<std::string> options = {"--stats"};
+  if (repeats > 0) options.insert(options.end(), {"--repeat", std::to_string(repeats)});
+  if (!program.context.empty()) options.insert(options.end(), {"--context", program.context});
+  std::vector<Drawn> drawn;
+  answer(program, cases, options, [&](const fs::path& out, const Case& c) {
+    drawn.push_back({read_pixels(out / (c.name + ".pixels"), c.size), read_cost(out / (c.name + ".stats"))});
+  });
+  return drawn;
+}
+
+std::vector<Image> trace(const Program& program, const std::vector<Case>& cases, int samples) {
+  std::vector<Image> truths;
+  answer(program, cases, {"--truth", "--samples", std::to_string(samples)}, [&](const fs::path& out, const Case& c) {
+    truths.push_back(read_pixels(out / (c.name + ".pixels"), c.size));
+  });
+  return truths;
+}
+
+}  // namespace atelier::measure
