@@ -56,13 +56,17 @@ Implementations with_given_files(const Implementations& implementations) {
   return Implementations(std::move(roots));
 }
 
-std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations) {
+void load_libraries(const StepIdentity& identity, const Implementations& implementations) {
   for (const std::string& step : identity.libraries) {
     const auto library = implementations.find(step + "/libstep.so");
     if (library.empty())
       throw Error(fmt::format("{}: its code is not built yet: run ./atelier check {}", step, step.substr(0, 2)));
     open_library(library, step);
   }
+}
+
+std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations) {
+  load_libraries(identity, implementations);
   using Make = StepProgram* (*)();
   try {
     const auto make = reinterpret_cast<Make>(module_symbol("program-" + identity.name, "atelier_step_program"));

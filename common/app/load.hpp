@@ -22,8 +22,12 @@ Implementations default_implementations(const StepIdentity& identity);
 /// The same path, and behind it steps/, where the given shader files of every step are.
 Implementations with_given_files(const Implementations& implementations);
 
-/// Loads NN-name/libstep.so of each of the identity's libraries, then the program. Throws Error where a
-/// library is not built yet (saying how to build it) or lacks a function that the contract declares (naming it).
+/// Loads NN-name/libstep.so of each of the identity's libraries, so that what is loaded later finds their functions.
+/// Throws Error where a library is not built yet (saying how to build it) or cannot be loaded.
+void load_libraries(const StepIdentity& identity, const Implementations& implementations);
+
+/// Loads the libraries, then the program. Throws Error as load_libraries does, and where a library lacks a function
+/// that the contract declares (naming it).
 std::unique_ptr<StepProgram> load_step(const StepIdentity& identity, const Implementations& implementations);
 
 }  // namespace atelier
