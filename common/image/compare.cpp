@@ -63,18 +63,22 @@ struct Channels {
 struct Directions {
   struct Unit {
     float x, y, z;
-    bool none;
+    float length;  ///< before it became 1
+    bool none() const { return length < 0.02f; }
   };
   static Unit decode(const Rgba& p) {
     const float x = 2 * p.r - 1, y = 2 * p.g - 1, z = 2 * p.b - 1, length = std::sqrt(x * x + y * y + z * z);
-    return {x / length, y / length, z / length, length < 0.02f};
+    return {x / length, y / length, z / length, length};
   }
   static double unit(float chord) {
     return std::isfinite(chord) ? 2 * std::asin(std::min(chord / 2.0, 1.0)) * 180 / std::numbers::pi : infinite;
   }
   static float distance(const Rgba& a, const Rgba& b) {
     const Unit u = decode(a), v = decode(b);
-    if (u.none || v.none) return u.none == v.none ? 0.0f : 2.0f;
+    if (u.none() || v.none()) {
+      if (u.none() == v.none()) return 0;
+      return u.length + v.length < infinite ? 2.0f : infinite;  // false for a NaN
+    }
     const float x = u.x - v.x, y = u.y - v.y, z = u.z - v.z, chord = std::sqrt(x * x + y * y + z * z);
     return chord <= 2.001f ? chord : infinite;  // false for a NaN
   }
