@@ -229,7 +229,7 @@ Mesh cylinder_wall(float radius, float height, int segments) {
 Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3& half_v) {
   Mesh flat;
   // >>> student: four vertices, two triangles
-  const glm::vec3 normal = glm::normalize(glm::cross(half_u, half_v));
+  const glm::vec3 normal(glm::normalize(glm::cross(glm::dvec3(half_u), glm::dvec3(half_v))));
   flat.vertices = {{centre - half_u - half_v, normal, {0, 0}},
                    {centre + half_u - half_v, normal, {1, 0}},
                    {centre + half_u + half_v, normal, {1, 1}},
