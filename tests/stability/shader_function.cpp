@@ -1,0 +1,116 @@
+#include "stability/shader_function.hpp"
+
+#include <fmt/format.h>
+
+#include "gl/target.hpp"
+
+namespace atelier::stability {
+
+namespace {
+
+// One pixel an input: a triangle over a picture one pixel high.
+constexpr const char* triangle_over_everything =
+    "void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0); "
+    "}\n";
+
+/// The fragment shader: parameter k of the input at pixel x is texel (x, k).
+std::string fragment_text(const ShaderFunction& function) {
+  std::string text = function.source + "\nuniform sampler2D u_inputs;\nout vec4 o_value;\nvoid main() {\n";
+  for (std::size_t k = 0; k < function.parameters.size(); ++k)
+    text += fmt::format("  vec4 {} = texelFetch(u_inputs, ivec2(int(gl_FragCoord.x), {}), 0);\n",
+                        function.parameters[k], k);
+  return text + "  o_value = " + function.expression + ";\n}\n";
+}
+
+/// The inputs as the texels of a picture, parameter by parameter.
+std::vector<glm::vec4> texels_of(const ShaderFunction& function, const std::vector<ShaderInput>& inputs) {
+  std::vector<glm::vec4> texels(inputs.size() * function.parameters.size());
+  for (std::size_t x = 0; x < inputs.size(); ++x) {
+    if (inputs[x].size() != function.parameters.size())
+      throw Error(fmt::format("{}: an input of {} values for {} parameters", function.expression, inputs[x].size(),
+                              function.parameters.size()));
+    for (std::size_t k = 0; k < inputs[x].size(); ++k) texels[k * inputs.size() + x] = inputs[x][k];
+  }
+  return texels;
+}
+
+void set_uniform(Uniforms& uniforms, const std::string& name, const Values& v) {
+  switch (v.size()) {
+    case 1:
+      return uniforms.set(name, float(v[0]));
+    case 2:
+      return uniforms.set(name, glm::vec2(v[0], v[1]));
+    case 3:
+      return uniforms.set(name, glm::vec3(v[0], v[1], v[2]));
+    case 4:
+      return uniforms.set(name, glm::vec4(v[0], v[1], v[2], v[3]));
+    default:
+      throw Error(fmt::format("uniform {}: {} values, where 1 to 4 are possible", name, v.size()));
+  }
+}
+
+}  // namespace
+
+GLuint ShaderFunctions::program_for(const ShaderFunction& function) {
+  const std::string text = fragment_text(function);
+  std::string key = text;
+  for (const auto& [name, value] : function.defines) key += fmt::format("#define {} {}\n", name, value);
+  auto found = programs_.find(key);
+  if (found == programs_.end()) {
+    const ShaderSource vertex = assemble_shader_text(find_, triangle_over_everything, "vertex shader", {});
+    const ShaderSource fragment = assemble_shader_text(find_, text, function.expression, function.defines);
+    found = programs_.emplace(std::move(key), build_program(*gl_, vertex, fragment)).first;
+  }
+  return found->second.id();
+}
+
+std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
+                                                 const std::vector<ShaderInput>& inputs) {
+  Gl& gl = *gl_;
+  const GLsizei count = GLsizei(inputs.size());
+  const std::vector<glm::vec4> texels = texels_of(function, inputs);
+  const GLuint program = program_for(function);
+
+  // The target checks the number of inputs: it is its width.
+  const Target target(gl, {.width = count, .height = 1, .colour = ColourFormat::rgba32f, .depth = DepthFormat::none});
+  const GlTexture input_texture(gl);
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(GL_TEXTURE_2D, input_texture.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, count, GLsizei(function.parameters.size()), 0, GL_RGBA, GL_FLOAT,
+                texels.data());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_NEAREST);
+
+  target.bind(gl);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Disable(GL_CULL_FACE);
+  gl.Disable(GL_BLEND);
+  gl.UseProgram(program);
+  Uniforms uniforms(gl, program);
+  uniforms.set("u_inputs", 0);
+  for (const auto& [name, value] : function.uniforms) set_uniform(uniforms, name, value);
+  int unit = 0;
+  for (const auto& [name, texture] : function.textures) {
+    gl.ActiveTexture(GLenum(GL_TEXTURE0 + ++unit));
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    uniforms.set(name, unit);
+  }
+  gl.ActiveTexture(GL_TEXTURE0);
+  const GlVertexArray nothing(gl);
+  gl.BindVertexArray(nothing.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.BindVertexArray(0);
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  check_gl_error(gl, function.expression.c_str());
+
+  const Image result = target.read_colour(gl);
+  std::vector<glm::vec4> out;
+  for (const Rgba& p : result.pixels()) out.emplace_back(p.r, p.g, p.b, p.a);
+  return out;
+}
+
+glm::vec4 ShaderFunctions::evaluate(const ShaderFunction& function, const ShaderInput& input) {
+  return evaluate(function, std::vector<ShaderInput>{input}).front();
+}
+
+}  // namespace atelier::stability

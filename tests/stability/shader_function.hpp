@@ -1,0 +1,54 @@
+// GLSL functions called like C++ functions: an expression evaluated by the driver for a list of inputs, all floats in
+// and all floats out, with nothing of the renderer in between.
+//
+//   const ShaderFunction cone{"#include \"02-blinn-phong/blinn_phong.glsl\"\n",
+//                             {"to_light", "axis", "cosines"},
+//                             "vec4(spot_cone(to_light.xyz, axis.xyz, cosines.x, cosines.y))"};
+//   shaders.evaluate(cone, {{{0, 0, -1, 0}, {0, 0, 1, 0}, {0.9f, 0.8f, 0, 0}}});   // one input: one vec4
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "gl/shader.hpp"
+#include "stability/values.hpp"
+
+namespace atelier::stability {
+
+struct ShaderFunction {
+  std::string source;                   ///< GLSL in front of main: includes, helpers
+  std::vector<std::string> parameters;  ///< names of the vec4 that `expression` may use
+  std::string expression;               ///< a vec4
+  Defines defines{};
+  std::map<std::string, Values> uniforms{};  ///< float, vec2, vec3 or vec4 by the number of values
+  std::map<std::string, GLuint> textures{};  ///< of kind 2D, by the sampler's name; they belong to the caller
+};
+
+/// The arguments of one call, a vec4 each.
+using ShaderInput = std::vector<glm::vec4>;
+
+/// Evaluates shader functions on one context, and keeps what it has compiled.
+class ShaderFunctions {
+ public:
+  /// `find` answers #include; both outlive this object.
+  ShaderFunctions(Gl& gl, FindFile find) : gl_(&gl), find_(std::move(find)) {}
+
+  /// One vec4 an input, in their order. The inputs lie in a float texture and the results in a float target, so NaN
+  /// and infinity come through both ways. Throws Error for more than 16384 inputs or one of the wrong length, and
+  /// ShaderError.
+  std::vector<glm::vec4> evaluate(const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
+  /// For a single input.
+  glm::vec4 evaluate(const ShaderFunction& function, const ShaderInput& input);
+
+  Gl& gl() { return *gl_; }
+
+ private:
+  GLuint program_for(const ShaderFunction& function);
+  Gl* gl_;
+  FindFile find_;
+  std::map<std::string, GlProgram> programs_;  // by the whole text
+};
+
+}  // namespace atelier::stability

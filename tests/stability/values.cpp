@@ -1,0 +1,58 @@
+#include "stability/values.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace atelier::stability {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// The largest of distance(actual, expected); infinite where one is NaN or a number has no partner.
+template <class Distance>
+double largest(const Values& actual, const Values& expected, Distance distance) {
+  if (actual.size() != expected.size()) return infinite;
+  double worst = 0;
+  for (std::size_t i = 0; i < actual.size(); ++i) {
+    const double here = actual[i] == expected[i] ? 0 : distance(actual[i], expected[i]);  // infinities may be equal
+    if (std::isnan(here)) return infinite;
+    worst = std::max(worst, here);
+  }
+  return worst;
+}
+
+}  // namespace
+
+std::size_t count_non_finite(const Values& values) {
+  return std::size_t(std::count_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); }));
+}
+
+bool has_nan(const Values& values) {
+  return std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
+}
+
+double difference(const Values& actual, const Values& expected) {
+  return largest(actual, expected, [](double a, double e) { return std::abs(a - e); });
+}
+
+double relative_difference(const Values& actual, const Values& expected) {
+  double size = 0;
+  for (const double e : expected) size = std::max(size, std::abs(e));
+  return largest(actual, expected, [=](double a, double e) { return std::abs(a - e) / size; });
+}
+
+double each_relative(const Values& actual, const Values& expected) {
+  return largest(actual, expected, [](double a, double e) { return std::abs(a - e) / std::abs(e); });
+}
+
+double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
+  const double sine = glm::length(glm::cross(a, b)), cosine = glm::dot(a, b);
+  if (sine == 0 && cosine == 0) return infinite;
+  const double angle = std::atan2(sine, cosine) * 180 / std::numbers::pi;
+  return std::isnan(angle) ? infinite : angle;
+}
+
+}  // namespace atelier::stability
