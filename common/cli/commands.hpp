@@ -140,6 +140,14 @@ struct MeasureOptions {
 };
 int run_measure(const MeasureOptions& options);
 
+struct StabilityOptions {
+  std::string step;           ///< or "common"; empty: all tables
+  std::filesystem::path out;  ///< folder of the plots and of all rows as CSV; empty: out/stability
+  bool all = false;           ///< print every row, and not only the worst
+  bool json = false;
+};
+int run_stability(const StabilityOptions& options);
+
 struct TestOptions {
   enum class Tier { quick, usual, all } tier = Tier::usual;
 };

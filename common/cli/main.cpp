@@ -76,6 +76,7 @@ struct AllOptions {
   SkeletonOptions skeleton;
   BenchOptions bench;
   MeasureOptions measure;
+  StabilityOptions stability;
   TestOptions test;
 };
 
@@ -187,6 +188,15 @@ void describe_measure(Interface& interface, MeasureOptions& options) {
   add_json(measure, options.json);
 }
 
+void describe_stability(Interface& interface, StabilityOptions& options) {
+  CLI::App* stability = interface.add("stability", "Try every function at its extremes, against double precision",
+                                      options, run_stability);
+  stability->add_option("step", options.step, "A step, or common; without one: all");
+  stability->add_option("--out", options.out, "Folder of the plots, and of all rows as CSV; without it: out/stability");
+  stability->add_flag("--all", options.all, "Print every row, and not only the worst");
+  add_json(stability, options.json);
+}
+
 void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
@@ -216,6 +226,7 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   add_json(bench, options.bench.json);
 
   describe_measure(interface, options.measure);
+  describe_stability(interface, options.stability);
 
   CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
   auto* quick = test->add_flag_callback(
