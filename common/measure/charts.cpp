@@ -31,7 +31,8 @@ Scale error_scale(const SweepResult& result) {
 }
 
 std::string title_of_curve(const SweepResult& result, const std::string& curve) {
-  return curve.empty() ? std::string() : fmt::format("{} {}", result.plan.curves_by, curve);
+  const std::string& setting = result.plan.curves_by;  // "specular.power": its group says nothing here
+  return curve.empty() ? std::string() : fmt::format("{} {}", setting.substr(setting.find('.') + 1), curve);
 }
 
 /// The fitted power as a dashed line in the colour of its curve, over the range in which it was fitted.
@@ -70,7 +71,7 @@ Plot chart_of_errors(const SweepResult& result) {
   }
   plot.curves.insert(plot.curves.end(), fits.begin(), fits.end());
   if (const double floor = floor_of(result); floor > 0 && !fits.empty())
-    plot.levels.push_back({floor, fmt::format("noise floor {:.1e}", floor)});
+    plot.levels.push_back({floor, fmt::format("noise floor {:.1e}", floor), true});
   return plot;
 }
 

@@ -51,16 +51,22 @@ void include(Range& range, bool& any, double value, Scale scale) {
   any = true;
 }
 
-/// What an axis must show, with a little air around it; decades in full where it is logarithmic.
-Range widened(Range range, bool any, Scale scale) {
+/// What an axis must show, with a little air around it; `decades`: in full where it is logarithmic.
+Range widened(Range range, bool any, Scale scale, bool decades_in_full) {
   if (scale == Scale::linear) {
     const double width = range.high - range.low;
     const double air = width > 0 ? 0.05 * width : std::max(1.0, std::abs(range.low)) * 0.5;
     return {range.low - air, range.high + air};
   }
   if (!any) return {0.1, 1, range.has_zeros};
-  constexpr double air = 0.08;  // of a decade, so that marks on a decade's line are whole
   Range decades = range;
+  if (!decades_in_full) {
+    const double air = std::pow(std::max(range.high / range.low, 2.0), 0.05);
+    decades.low /= air, decades.high *= air;
+    if (range.has_zeros) decades.low /= 10;
+    return decades;
+  }
+  constexpr double air = 0.08;  // of a decade, so that marks on a decade's line are whole
   decades.low = std::pow(10, std::floor(std::log10(range.low) - air));
   decades.high = std::pow(10, std::ceil(std::log10(range.high) + air));
   if (range.has_zeros) decades.low /= 10;
@@ -78,9 +84,11 @@ Range range_of(const Plot& plot, const Axis& axis, int component) {
   }
   for (const Mark& mark : plot.marks) take(mark.at[component]);
   if (component == 1)
-    for (const Level& level : plot.levels) take(level.y);
+    for (const Level& level : plot.levels)
+      take(level.below && axis.scale == Scale::logarithmic ? level.y / 2.5 : level.y);  // room for the words
   for (const Tick& tick : axis.ticks) take(tick.at);
-  range = axis.ticks.empty() ? widened(range, any, axis.scale) : Range{range.low - 0.5, range.high + 0.5};
+  range =
+      axis.ticks.empty() ? widened(range, any, axis.scale, component == 1) : Range{range.low - 0.5, range.high + 0.5};
   if (axis.low) range.low = *axis.low;
   if (axis.high) range.high = *axis.high;
   return range;
@@ -188,9 +196,38 @@ std::string frame_script(const Plot& plot, const std::string& file) {
       "set terminal svg size {},{} font 'DejaVu Sans,13' background '#ffffff' enhanced\n"
       "set output {}\nset encoding utf8\nset border 3 lc rgb '{}'\n"
       "set grid xtics ytics lt 1 lw 1 lc rgb '#e3e1db'\nset title {} noenhanced font ',14'\n"
-      "set key bottom outside center horizontal samplen 2\nset tics textcolor rgb '{}' scale 0.6\n"
+      "set key bottom outside center horizontal samplen 2 height 0.8 font ',12'\nset tics textcolor rgb '{}' scale "
+      "0.6\n"
       "set rmargin {}\n",
       plot.width, plot.height, quoted(file), soft, quoted(plot.title), ink, plot.x.ticks.empty() ? 3 : 5);
+}
+
+/// The line, and its words at the end that is farther from the curves.
+std::string level_script(const Plot& plot, const Level& level) {
+  const auto far = [&](double y) {
+    const bool decades = plot.y.scale == Scale::logarithmic && y > 0 && level.y > 0;
+    return decades ? std::abs(std::log(y / level.y)) : std::abs(y - level.y);
+  };
+  double left = 1e300, right = 1e300;
+  for (const Curve& curve : plot.curves) {
+    if (curve.points.empty()) continue;
+    left = std::min(left, far(curve.points.front().y)), right = std::min(right, far(curve.points.back().y));
+  }
+  return fmt::format(
+      "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead lw 1.5 dt '.' lc rgb '{1}'\n"
+      "set label {2} at graph {3}, first {0:.9g} {4} offset 0,{5} noenhanced font ',11' textcolor rgb '{1}'\n",
+      level.y, soft, quoted(level.text), left > right ? "0.01" : "0.99", left > right ? "left" : "right",
+      level.below ? "-0.6" : "0.6");
+}
+
+/// The words beside a ring: on the side where there is room.
+std::string mark_script(const Mark& mark, const Axis& axis, const Range& range) {
+  const double along = axis.scale == Scale::logarithmic && mark.at.x > 0
+                           ? std::log(mark.at.x / range.low) / std::log(range.high / range.low)
+                           : (mark.at.x - range.low) / (range.high - range.low);
+  const bool to_left = along > 0.6;
+  return fmt::format("set label {} at first {:.9g}, first {:.9g} {} offset {},0.8 noenhanced font ',11' front\n",
+                     quoted(mark.text), mark.at.x, mark.at.y, to_left ? "right" : "left", to_left ? "-1.4" : "1.4");
 }
 
 }  // namespace
@@ -199,23 +236,14 @@ std::string gnuplot_script(const Plot& plot, const std::string& file) {
   check(plot);
   const Range x = range_of(plot, plot.x, 0), y = range_of(plot, plot.y, 1);
   std::string script = frame_script(plot, file) + axis_script(plot.x, x, 'x') + axis_script(plot.y, y, 'y');
-  for (const Level& level : plot.levels) {
-    script += fmt::format(
-        "set arrow from graph 0, first {0:.9g} to graph 1, first {0:.9g} nohead lw 1.5 dt '.' lc rgb '{1}'\n", level.y,
-        soft);
-    script += fmt::format(
-        "set label {} at graph 0.995, first {:.9g} right offset 0,0.55 noenhanced font ',11' textcolor rgb '{}'\n",
-        quoted(level.text), level.y, soft);
-  }
+  for (const Level& level : plot.levels) script += level_script(plot, level);
   std::string data;
   std::vector<std::string> elements;
   for (std::size_t i = 0; i < plot.curves.size(); ++i) add_curve(plot, i, x, y, data, elements);
   std::string ring;
   for (const Mark& mark : plot.marks) {
     ring += fmt::format("{:.9g} {:.9g}\n", mark.at.x, mark.at.y);
-    script +=
-        fmt::format("set label {} at first {:.9g}, first {:.9g} left offset 1.2,0.7 noenhanced font ',11' front\n",
-                    quoted(mark.text), mark.at.x, mark.at.y);
+    script += mark_script(mark, plot.x, x);
   }
   if (!ring.empty()) {
     data += "$rings << EOD\n" + ring + "EOD\n";

@@ -38,10 +38,11 @@ struct Curve {
   std::vector<glm::dvec2> spread{};
 };
 
-/// A horizontal line right across, with its words at the right end: a noise floor, a bound.
+/// A horizontal line right across, with its words at the end that is farther from the curves: a noise floor, a bound.
 struct Level {
   double y = 0;
   std::string text;
+  bool below = false;  ///< the words stand below the line: right where no curve goes below it
 };
 
 /// A ring round a point, with words beside it.
