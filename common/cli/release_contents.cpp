@@ -156,7 +156,7 @@ class Packer {
     const std::string path = "handouts/" + step.name + ".md";
     if (!fs::exists(folders_.root / path)) return;
     std::string text = read_file(folders_.root / path);
-    static const std::regex picture(R"(\]\((pictures/[A-Za-z0-9._-]+)\))");
+    static const std::regex picture(R"(\]\(((?:pictures|plots)/[A-Za-z0-9._-]+)\))");
     for (std::sregex_iterator it(text.begin(), text.end(), picture), end; it != end; ++it)
       take("handouts/" + (*it)[1].str());
     static const std::regex link(R"(\[([^\]]*)\]\(([0-9][A-Za-z0-9-]*)\.md(#[^)]*)?\))");
@@ -177,6 +177,8 @@ class Packer {
     put("tests/cases/" + step.name + "/cases.json", visible.text);
     for (const fs::path& file : visible.files) take(fs::relative(file, folders_.root).generic_string());
     pack_hints(step, visible);
+    if (const fs::path sweeps = folders_.measure_file(step.name); fs::exists(sweeps))
+      take(fs::relative(sweeps, folders_.root).generic_string());
     release_.cases += int(visible.cases.size());
     for (const judge::JudgedCase& c : visible.cases) release_.points += c.points;
     release_.hidden += visible.hidden;

@@ -64,6 +64,9 @@ struct Project {
                              "handouts/pictures/01-a.png",
                              "handouts/pictures/02-a.png",
                              "handouts/pictures/make.sh",
+                             "handouts/plots/01-error.svg",
+                             "handouts/plots/01-error.csv",
+                             "tests/cases/01-move/measure.json",
                              "handouts/README.md",
                              "tests/CMakeLists.txt",
                              "tests/unit/move.cpp",
@@ -74,7 +77,7 @@ struct Project {
                              "steps/02-light/main.cpp"})
       write(name, name);
     write("handouts/README-release.md", "For students.");
-    write("handouts/01-move.md", "![a](pictures/01-a.png), then [light](02-light.md#top).");
+    write("handouts/01-move.md", "![a](pictures/01-a.png), ![e](plots/01-error.svg), then [light](02-light.md#top).");
     write("handouts/02-light.md", "![a](pictures/02-a.png), after [moving](01-move.md#top).");
     write("solutions/01-move/move.cpp", marked(secret));
     write("solutions/01-move/move.glsl", "vec3 all_given();\n");
@@ -124,17 +127,14 @@ const std::set<std::string> always = {"CMakeLists.txt",
                                       "common/base/file.hpp",
                                       "common/base/CMakeLists.txt"};
 const std::set<std::string> of_move = {"steps/01-move/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
-                                       "handouts/pictures/01-a.png"};
+                                       "handouts/pictures/01-a.png", "handouts/plots/01-error.svg"};
 const std::set<std::string> skeletons_of_move = {"skeletons/01-move/move.cpp", "skeletons/01-move/move.glsl"};
-const std::set<std::string> cases_files_of_move = {"tests/cases/01-move/hints.json",
-                                                   "tests/cases/01-move/cases.json",
-                                                   "tests/cases/01-move/near.exr",
-                                                   "tests/cases/01-move/near.json",
-                                                   "tests/cases/01-move/shown.exr",
-                                                   "tests/cases/01-move/shown.json",
-                                                   "tests/cases/01-move/atlas/near--backwards.png",
-                                                   "tests/mistakes/01-move/mistakes.json",
-                                                   "tests/cases/01-move/atlas/shown--backwards.png"};
+const std::set<std::string> cases_files_of_move = {
+    "tests/cases/01-move/hints.json",       "tests/cases/01-move/measure.json",
+    "tests/cases/01-move/cases.json",       "tests/cases/01-move/near.exr",
+    "tests/cases/01-move/near.json",        "tests/cases/01-move/shown.exr",
+    "tests/cases/01-move/shown.json",       "tests/cases/01-move/atlas/near--backwards.png",
+    "tests/mistakes/01-move/mistakes.json", "tests/cases/01-move/atlas/shown--backwards.png"};
 const std::set<std::string> of_light = {"steps/02-light/main.cpp",         "handouts/02-light.md",
                                         "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
                                         "tests/cases/02-light/cases.json", "tests/cases/02-light/lit.values.json"};
@@ -169,7 +169,8 @@ TEST_CASE("a release holds its list and nothing else") {
     CHECK(release.files.at("README.md").bytes == "For students.");
     CHECK(release.files.at("skeletons/01-move/move.cpp").bytes ==
           "int given();\n  // TODO(01-move): write it\n  return 0;\n");
-    CHECK(mentions(release.files.at("handouts/01-move.md").bytes, {"![a](pictures/01-a.png), then light."}));
+    CHECK(mentions(release.files.at("handouts/01-move.md").bytes,
+                   {"![a](pictures/01-a.png), ![e](plots/01-error.svg), then light."}));
   }
   SECTION("a step that uses another") {
     const Release release = project.release({light});

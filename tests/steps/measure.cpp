@@ -1,0 +1,100 @@
+// What theory says of every setting is what is measured, and the handouts' plots show the numbers of today. No time is
+// asserted on.
+#include <filesystem>
+#include <set>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "command.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+using nlohmann::json;
+
+namespace {
+
+/// The steps that say what is to be measured.
+std::vector<CourseStep> measured_steps() {
+  std::vector<CourseStep> steps;
+  for (const CourseStep& step : course())
+    if (std::filesystem::exists(folders().measure_file(step.name))) steps.push_back(step);
+  return steps;
+}
+
+}  // namespace
+
+TEST_CASE("slopes, orders and values are what theory expects", "[measure]") {
+  REQUIRE(measured_steps().size() >= 2);
+  for (const CourseStep& step : measured_steps()) {
+    const TemporaryFolder out;
+    const Printed run = printed({"measure", step.name, "--frames", "1", "--out", out.path().string()});
+    INFO(step.name);
+    CHECK(run.exit_status == 0);
+    std::set<std::string> with_slopes;
+    for (const json& sweep : run.json["sweeps"]) {
+      INFO(sweep["name"].get<std::string>());
+      CHECK(!sweep["findings"].empty());  // a sweep of which theory says nothing tests nothing
+      for (const json& finding : sweep["findings"]) {
+        INFO(finding["words"].get<std::string>());
+        CHECK(finding["met"].get<bool>());
+      }
+      if (!sweep["fits"].empty()) with_slopes.insert(sweep["name"].get<std::string>());
+      for (const json& point : sweep["points"]) {
+        CHECK(point["frames"]["count"] == 1);
+        CHECK(point["counts"]["target_bytes"].get<double>() > 0);
+      }
+    }
+    CHECK(with_slopes.size() >= 2);
+    for (const json& front : run.json["fronts"]) CHECK(!front["knee"].is_null());
+    CHECK(std::filesystem::exists(out.path() / "index.html"));
+    CHECK(std::filesystem::exists(out.path() / "measure.csv"));
+  }
+}
+
+TEST_CASE("the handouts show the numbers of today", "[measure]") {
+  for (const CourseStep& step : measured_steps()) {
+    const Finished run = run_atelier({"measure", step.name, "--handout", "--check"});
+    INFO(run.output);
+    CHECK(run.exit_status == 0);
+    CHECK(run.output.find("up to date") != std::string::npos);
+  }
+}
+
+TEST_CASE("every plot of a handout is shown in it, and every plot that it shows is there", "[measure]") {
+  for (const CourseStep& step : measured_steps()) {
+    const std::string handout = read_file(folders().handouts() / (step.name + ".md"));
+    for (const auto& entry : std::filesystem::directory_iterator(folders().handouts() / "plots")) {
+      const std::string file = entry.path().filename().string();
+      if (!file.starts_with(step.number() + "-") || entry.path().extension() != ".svg") continue;
+      INFO(file);
+      CHECK(handout.find("](plots/" + file + ")") != std::string::npos);
+    }
+    for (std::size_t at = 0; (at = handout.find("](plots/", at)) != std::string::npos; ++at) {
+      const std::string file = handout.substr(at + 2, handout.find(')', at) - at - 2);
+      INFO(file);
+      CHECK(std::filesystem::exists(folders().handouts() / file));
+    }
+  }
+}
+
+TEST_CASE("what cannot be measured is refused before anything is drawn", "[measure]") {
+  struct Row {
+    const char* name;
+    std::vector<std::string> arguments;
+    std::initializer_list<std::string_view> words;
+  };
+  const Row rows[] = {
+      {"a step without a plan", {"measure", "00"}, {"00-hello", "measure.json", "missing"}},
+      {"an unknown setting", {"measure", "01", "--setting", "hall.segment"}, {"did you mean 'hall.segments'"}},
+      {"one that is no approximation", {"measure", "01", "--setting", "draw.wireframe"}, {"not measured"}},
+      {"no frame", {"measure", "01", "--frames", "0"}, {"--frames"}},
+      {"a check of nothing", {"measure", "01", "--check"}, {"--handout"}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const Finished run = run_atelier(row.arguments);
+    INFO(run.output);
+    CHECK(run.exit_status == 2);
+    CHECK(mentions(run.output, row.words));
+  }
+}
