@@ -18,7 +18,8 @@ std::optional<TriangleHit> intersect(const ShearedRay& ray, const glm::dvec3& fi
                                      const glm::dvec3& third) {
   const glm::dvec3 a = ray.sheared(first), b = ray.sheared(second), c = ray.sheared(third);
   const double over_a = c.x * b.y - c.y * b.x, over_b = a.x * c.y - a.y * c.x, over_c = b.x * a.y - b.y * a.x;
-  const bool negative = over_a < 0 || over_b < 0 || over_c<0, positive = over_a> 0 || over_b > 0 || over_c > 0;
+  const bool negative = over_a < 0 || over_b < 0 || over_c < 0;
+  const bool positive = over_a > 0 || over_b > 0 || over_c > 0;
   if (negative == positive) return std::nullopt;  // outside, or no area at all
   const double sum = over_a + over_b + over_c;
   const double t = (over_a * a.z + over_b * b.z + over_c * c.z) / sum;
