@@ -112,7 +112,7 @@ void print_results(const measure::StepMeasured& measured, const fs::path& out) {
   for (const auto& front : measured.fronts)
     if (const measure::Ranking ranking = measure::rank(front); ranking.knee)
       fmt::print("· {}: recommended {} ({:.2f} ms, {} {:.3g})\n", front.plan.name, front.points[*ranking.knee].value,
-                 ranking.points[*ranking.knee].x * 1e3, measure::to_string(front.plan.metric),
+                 ranking.points[*ranking.knee].x * 1e3, to_string(front.plan.metric),
                  ranking.points[*ranking.knee].y);
   fmt::print("{}\n", (out / "index.html").string());
 }

@@ -17,11 +17,6 @@ namespace {
 
 using strict_json::Json;
 
-const std::vector<std::pair<std::string, Metric>> metrics = {
-    {"rmse", Metric::rmse},         {"flip", Metric::flip},       {"misclassified", Metric::misclassified},
-    {"distance", Metric::distance}, {"degrees", Metric::degrees}, {"displacement", Metric::displacement},
-    {"mean", Metric::mean}};
-
 constexpr double huge = 1e300;
 constexpr std::size_t most_values = 64, most_combinations = 256;
 
@@ -86,12 +81,12 @@ Truth truth_of(const Json& object, const std::string& where) {
 
 Metric metric_of(const Json& object, const Truth& truth, Metric fallback, const std::string& where) {
   std::vector<std::string> names;
-  for (const auto& [name, metric] : metrics) names.push_back(name);
+  for (const Metric known : error_metrics) names.push_back(to_string(known));
   Metric metric = fallback;
   if (const Json* given = strict_json::optional(object, "metric")) {
     const std::string chosen = strict_json::one_of(*given, where + ": metric", names);
-    for (const auto& [name, known] : metrics)
-      if (name == chosen) metric = known;
+    for (const Metric known : error_metrics)
+      if (to_string(known) == chosen) metric = known;
   }
   if ((metric == Metric::mean) != (truth.by == Truth::By::value))
     throw Error(
@@ -220,12 +215,6 @@ Front front_of(const Json& object, const std::string& file, std::set<std::string
 }
 
 }  // namespace
-
-std::string to_string(Metric metric) {
-  for (const auto& [name, known] : metrics)
-    if (known == metric) return name;
-  return {};
-}
 
 Plan parse_plan(const std::string& text, const std::string& where) {
   const Json document = strict_json::parse(text, where);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "image/error.hpp"
 
 namespace atelier::measure {
 
@@ -27,9 +28,7 @@ struct Truth {
   double value = 0;
 };
 
-/// How far a picture is from its truth (measure/metrics.hpp).
-enum class Metric { rmse, flip, misclassified, distance, degrees, displacement, mean };
-std::string to_string(Metric metric);
+using Metric = ErrorMetric;
 
 /// What theory says of a sweep, to be checked against what was measured.
 struct Expectation {

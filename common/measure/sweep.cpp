@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "measure/metrics.hpp"
+#include "image/error.hpp"
 
 namespace atelier::measure {
 namespace {

@@ -1,13 +1,22 @@
-// How far a picture is from its truth. Pictures are the raw floats that a program wrote; opacity is not looked at.
+// How far a picture is from its truth, as one number: what trades against time and memory. Never a verdict on a picture
+// by itself (image/compare.hpp is), since no single number tells a right picture from a wrong one.
 #pragma once
+
+#include <array>
+#include <string>
 
 #include "image/colour.hpp"
 #include "image/image.hpp"
-#include "measure/plan.hpp"
 
-namespace atelier::measure {
+namespace atelier {
 
-/// By metric; red, green and blue are a pixel's three numbers a and b:
+enum class ErrorMetric { rmse, flip, misclassified, distance, degrees, displacement, mean };
+inline constexpr std::array error_metrics{ErrorMetric::rmse,     ErrorMetric::flip,    ErrorMetric::misclassified,
+                                          ErrorMetric::distance, ErrorMetric::degrees, ErrorMetric::displacement,
+                                          ErrorMetric::mean};
+std::string to_string(ErrorMetric metric);  ///< "rmse": the enumerator's own name
+
+/// By metric; a and b are two pixels' three numbers, and opacity is not looked at:
 /// - rmse: the root of the mean of (a - b)^2 over all channels of all pixels, in the output's unit.
 /// - distance: the root of the mean of |a - b|^2 over all pixels: metres, where the output is a position.
 /// - misclassified: the share of pixels, 0..1, of which a channel is off by more than 3/255 once encoded for a screen:
@@ -20,6 +29,6 @@ namespace atelier::measure {
 ///   over what has come into sight. 0 where there is no gradient.
 /// - mean: the mean of all channels of `picture`; `truth` is not looked at.
 /// Throws Error where sizes differ, or where a pixel of either is not finite: an error of NaN would say nothing.
-double error_of(const Image& picture, const Image& truth, Metric metric, Encoding encoding = Encoding::linear);
+double error_of(const Image& picture, const Image& truth, ErrorMetric metric, Encoding encoding = Encoding::linear);
 
-}  // namespace atelier::measure
+}  // namespace atelier

@@ -1,4 +1,4 @@
-#include "measure/metrics.hpp"
+#include "image/error.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include "image/compare.hpp"
 #include "image/flip.hpp"
 
-namespace atelier::measure {
+namespace atelier {
 namespace {
 
 constexpr double just_noticed = 3;  ///< levels of 255
@@ -90,31 +90,51 @@ double mean_of(const Image& image) {
 
 }  // namespace
 
-double error_of(const Image& picture, const Image& truth, Metric metric, Encoding encoding) {
+std::string to_string(ErrorMetric metric) {
+  switch (metric) {
+    case ErrorMetric::rmse:
+      return "rmse";
+    case ErrorMetric::flip:
+      return "flip";
+    case ErrorMetric::misclassified:
+      return "misclassified";
+    case ErrorMetric::distance:
+      return "distance";
+    case ErrorMetric::degrees:
+      return "degrees";
+    case ErrorMetric::displacement:
+      return "displacement";
+    case ErrorMetric::mean:
+      return "mean";
+  }
+  return "mean";
+}
+
+double error_of(const Image& picture, const Image& truth, ErrorMetric metric, Encoding encoding) {
   refuse_non_finite(picture, "the picture");
-  if (metric == Metric::mean) return mean_of(picture);
+  if (metric == ErrorMetric::mean) return mean_of(picture);
   refuse_non_finite(truth, "its truth");
   if (!picture.same_size(truth) || picture.empty())
     throw Error(fmt::format("a picture of {}x{} and a truth of {}x{} cannot be compared", picture.width(),
                             picture.height(), truth.width(), truth.height()));
   switch (metric) {
-    case Metric::flip:
+    case ErrorMetric::flip:
       return mean_flip(picture, truth, encoding);
-    case Metric::misclassified:
+    case ErrorMetric::misclassified:
       return share_misclassified(picture, truth, encoding);
-    case Metric::displacement:
+    case ErrorMetric::displacement:
       return median_displacement(picture, truth);
-    case Metric::distance:
+    case ErrorMetric::distance:
       return root_of_mean(picture, truth, [](const auto& a, const auto& b) { return squared_length(a - b); });
-    case Metric::degrees:
+    case ErrorMetric::degrees:
       return 180 / std::numbers::pi * root_of_mean(picture, truth, [](const auto& a, const auto& b) {
                return std::pow(angle(2.0 * a - 1.0, 2.0 * b - 1.0), 2);
              });
-    case Metric::rmse:
-    case Metric::mean:
+    case ErrorMetric::rmse:
+    case ErrorMetric::mean:
       break;
   }
   return root_of_mean(picture, truth, [](const auto& a, const auto& b) { return squared_length(a - b) / 3; });
 }
 
-}  // namespace atelier::measure
+}  // namespace atelier
