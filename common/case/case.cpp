@@ -22,9 +22,9 @@ constexpr std::size_t max_inputs = 4096;    // sets of arguments of one probe
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Members of one kind of case alone; the first few of each are the program's, the rest the judge's.
-const std::vector<std::string> picture_members = {"scene",      "camera", "size",    "output",       "profile",
-                                                  "unit",       "delta",  "budget",  "exposure",     "reason",
-                                                  "references", "mask",   "regions", "truth_differs"};
+const std::vector<std::string> picture_members = {"scene",      "camera", "size",    "output",        "profile",
+                                                  "unit",       "delta",  "budget",  "exposure",      "reason",
+                                                  "references", "mask",   "regions", "truth_differs", "choice"};
 const std::vector<std::string> probe_members = {"probe", "inputs", "expected", "expected_from", "tolerance"};
 const std::vector<std::string> shared_members = {"name",   "settings", "title",  "asked",   "hint",      "tier",
                                                  "points", "student",  "hidden", "rejects", "functions", "needs"};

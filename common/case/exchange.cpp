@@ -155,6 +155,26 @@ std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
   return results;
 }
 
+std::map<std::string, std::int64_t> read_counts(const fs::path& path) {
+  constexpr std::size_t most_bytes = 1 << 16, most_counts = 64;
+  UntrustedFile file(path);
+  if (file.size() > most_bytes)
+    throw Error(fmt::format("{} has {} bytes; {} are allowed", file.name(), file.size(), most_bytes));
+  std::string text(file.size(), '\0');
+  file.read(text.data(), text.size());
+  const strict_json::Json document = strict_json::parse(text, file.name());
+  const strict_json::Json& members = strict_json::required(document, "counts", file.name());
+  if (!members.is_object() || members.size() > most_counts)
+    strict_json::refuse(members, file.name() + ": counts", fmt::format("at most {} whole numbers", most_counts));
+  std::map<std::string, std::int64_t> counts;
+  for (const auto& [name, value] : members.items()) {
+    if (!value.is_number_integer() || value.get<std::int64_t>() < 0)
+      strict_json::refuse(value, file.name() + ": " + name, "a whole number from 0 on");
+    counts[name] = value.get<std::int64_t>();
+  }
+  return counts;
+}
+
 std::string read_case_error(const fs::path& path) {
   std::error_code error;
   if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return {};

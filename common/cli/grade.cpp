@@ -80,6 +80,8 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   judge::RunSettings settings;
   settings.program = grading.folders.program(step.name);
   settings.implementations = search_path(grading.folders, step.name, code, earlier);
+  if (is_there(grading.folders, step.name, Owner::solution))
+    settings.solution = search_path(grading.folders, step.name, code_of(grading.folders, Owner::solution), earlier);
   settings.context = options.context;
   settings.workers = options.workers;
   settings.shuffle = options.shuffle;

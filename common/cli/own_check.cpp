@@ -55,6 +55,8 @@ judge::RunSettings OwnCheck::run_settings(Implementations path) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step_.name);
   settings.implementations = std::move(path);
+  if (is_there(folders_, step_.name, Owner::solution))
+    settings.solution = search_path(folders_, step_.name, code_of(folders_, Owner::solution), {});
   settings.context = options_.context;
   settings.shader_cache = folders_.shader_cache();
   return settings;

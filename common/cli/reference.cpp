@@ -16,6 +16,7 @@
 #include "cli/workshop.hpp"
 #include "grade/environment.hpp"
 #include "image_io/image_io.hpp"
+#include "judge/ask.hpp"
 #include "judge/make_reference.hpp"
 #include "judge/mistakes.hpp"
 #include "judge/sidecar.hpp"
@@ -40,7 +41,7 @@ struct Row {
 
 /// Every version's answers to the cases of a step, in the cases' order. All pictures at once: a few hundred megabytes.
 struct Drawn {
-  std::vector<Answer> solution, skeleton;
+  std::vector<Answer> solution, skeleton, truths;
   std::map<std::string, std::vector<Answer>> mistakes;
 };
 
@@ -59,13 +60,17 @@ Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mist
                                      : workshop.patched("mistake-" + mistakes[i - 2].name, mistakes[i - 2].patch);
     answers[i] = draw(workshop, version, cases);
   });
-  Drawn drawn{.solution = std::move(answers[0]), .skeleton = std::move(answers[1]), .mistakes = {}};
+  Drawn drawn{.solution = std::move(answers[0]),
+              .skeleton = std::move(answers[1]),
+              .truths = judge::ask_truths(workshop.settings(workshop.solution()), cases),
+              .mistakes = {}};
   for (std::size_t i = 0; i < mistakes.size(); ++i) drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
   return drawn;
 }
 
 judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, const judge::Environment& environment) {
-  judge::ReferenceMaterial material{.solution = drawn.solution[index], .skeleton = drawn.skeleton[index]};
+  judge::ReferenceMaterial material{
+      .solution = drawn.solution[index], .truth = drawn.truths[index], .skeleton = drawn.skeleton[index]};
   for (const auto& [name, answers] : drawn.mistakes) material.mistakes[name] = answers[index];
   for (const char* key : {"driver", "cpu"}) material.environment[key] = environment.at(key);
   return material;

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "cli/marked_text.hpp"
+#include "judge/ask.hpp"
 #include "judge/mistakes.hpp"
 
 namespace atelier {
@@ -64,6 +65,7 @@ judge::RunSettings Workshop::settings(const Version& version) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step_.name);
   settings.implementations = search_path(folders_, step_.name, version.code, earlier_);
+  settings.solution = search_path(folders_, step_.name, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
   settings.most_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
   settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is the project's own code
@@ -72,9 +74,7 @@ judge::RunSettings Workshop::settings(const Version& version) const {
 
 std::vector<judge::Answer> Workshop::answers(const Version& version,
                                              const std::vector<judge::JudgedCase>& cases) const {
-  std::vector<Case> asks;
-  for (const judge::JudgedCase& c : cases) asks.push_back(c.ask);
-  return judge::run_cases(settings(version), asks);
+  return judge::ask_cases(settings(version), step_.name, cases);
 }
 
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {

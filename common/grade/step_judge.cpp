@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "case/suggest.hpp"
+#include "judge/ask.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -66,7 +67,7 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
   std::vector<const JudgedCase*> pictures;
   std::vector<Case> asks;
   for (const JudgedCase& c : file_.cases)
-    if (c.ask.probe.empty()) pictures.push_back(&c), asks.push_back(c.ask);
+    if (c.ask.probe.empty() && !c.choice) pictures.push_back(&c), asks.push_back(c.ask);
   const std::vector<Answer> answers = judge::run_cases(solution, asks);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     if (!answers[i].pixels)
@@ -78,11 +79,9 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
 }
 
 StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {
-  std::vector<Case> asks;
-  for (const JudgedCase& c : file_.cases) asks.push_back(c.ask);
   StepResult result = empty_result();
   // The judge works while the programs draw on.
-  judge::run_cases(settings, asks, [&](std::size_t index, const Answer& answer) {
+  judge::ask_cases(settings, file_.step, file_.cases, [&](std::size_t index, const Answer& answer) {
     result.cases[index] = judge::judge_case(file_.cases[index], answer, references_, keep);
     if (on_case) on_case();
   });

@@ -7,6 +7,7 @@
 
 #include "case/case.hpp"
 #include "image/image.hpp"
+#include "judge/choice.hpp"
 
 namespace atelier::judge {
 
@@ -16,6 +17,7 @@ struct Answer {
   Ended ended = Ended::missing;
   std::optional<Image> pixels;
   std::optional<std::vector<Numbers>> values;
+  Counts counts;       ///< of a picture that was to be counted: what drawing it has cost
   std::string error;   ///< one sentence: what the program or the reader of its files objected to; untrusted text
   std::string output;  ///< what the program printed around this case, bounded; untrusted text
   double seconds = 0;  ///< wall clock of this case, for information only

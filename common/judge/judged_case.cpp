@@ -122,6 +122,10 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
     if (!r.find("reason")) r.refuse("'reason' is missing: a mask needs one");
   }
   if (const Json* regions = r.find("regions")) c.regions = read_regions(*regions, r.at("regions"), c.ask.size);
+  if (const Json* choice = r.find("choice")) {
+    c.choice = read_choice(*choice, r.at("choice"));
+    if (!r.find("reason")) r.refuse("'reason' is missing: what a choice may cost and how far it may be off need one");
+  }
   if (const Json* reason = r.find("reason")) c.reason = strict_json::text(*reason, r.at("reason"));
   if (const Json* exposure = r.find("exposure")) {
     if (c.unit != Unit::colour) r.refuse("'exposure' belongs to unit 'colour' alone");

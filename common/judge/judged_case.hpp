@@ -36,6 +36,9 @@
 //     "reason"     why delta, budget and mask are what they are; required where they are not the default
 //     "truth_differs"  why the reference is not the ground truth that the program's --truth traces; for the project's
 //                  own tests (tests/steps/truth.cpp), the judge does nothing with it
+//     "choice"     makes it a budget case (judge/choice.hpp): the student chooses settings in choices.txt, and earns by
+//                  the error against the truth: {"settings": [names], "at_most": {count: most}, "error": "rmse",
+//                  "flip", "misclassified", "distance" or "degrees", "full": error, "none": error}; needs a reason
 //     "references" accepted pictures beside the case file: ["NAME.exr"]
 //
 //   Of a probe
@@ -52,6 +55,7 @@
 #include <vector>
 
 #include "case/case.hpp"
+#include "judge/choice.hpp"
 #include "judge/regions.hpp"
 
 namespace atelier::judge {
@@ -93,11 +97,12 @@ struct JudgedCase {
   // Of a picture
   Profile profile = Profile::strict;
   Unit unit = Unit::colour;
-  double delta = 3;             ///< in the unit: 1/255, degrees, or the data's own
-  int budget = 4;               ///< pixels that may be over delta
-  double exposure = 1;          ///< factor before clamping, colour only
-  std::vector<Rectangle> mask;  ///< what is not compared; a NaN or an infinity there fails all the same
-  std::vector<Region> regions;  ///< what counts more or less for partial credit
+  double delta = 3;              ///< in the unit: 1/255, degrees, or the data's own
+  int budget = 4;                ///< pixels that may be over delta
+  double exposure = 1;           ///< factor before clamping, colour only
+  std::vector<Rectangle> mask;   ///< what is not compared; a NaN or an infinity there fails all the same
+  std::vector<Region> regions;   ///< what counts more or less for partial credit
+  std::optional<Choice> choice;  ///< a budget case: compared with the truth by error and cost, not by profile
   std::string reason;         ///< why delta, budget and mask are what they are; required where they are not the default
   std::string truth_differs;  ///< why the reference is not what --truth traces; empty where it is
   std::vector<std::filesystem::path> references;  ///< accepted pictures; the case file's folder stands before the name

@@ -45,21 +45,20 @@ void refuse_ties(const JudgedCase& c, const Image& picture) {
       }
 }
 
-void check_solution(const JudgedCase& c, const Answer& solution) {
-  if (solution.ended != Answer::Ended::normally) refuse(c, "the solution did not answer: " + solution.error);
+/// `who`: "the solution", or "the truth".
+void check_right(const JudgedCase& c, const Answer& solution, const std::string& who) {
+  if (solution.ended != Answer::Ended::normally) refuse(c, who + " did not answer: " + solution.error);
   if (c.profile == Profile::values) {
-    if (!solution.values) refuse(c, "the solution returned no numbers");
+    if (!solution.values) refuse(c, who + " returned no numbers");
     return;
   }
-  if (!solution.pixels) refuse(c, "the solution drew no picture");
+  if (!solution.pixels) refuse(c, who + " drew no picture");
   const Image& picture = *solution.pixels;
   if (picture.width() != c.ask.size.x || picture.height() != c.ask.size.y)
-    refuse(c, fmt::format("the solution's picture is {}x{} pixels, and the case asks for {}x{}", picture.width(),
+    refuse(c, fmt::format("{}'s picture is {}x{} pixels, and the case asks for {}x{}", who, picture.width(),
                           picture.height(), c.ask.size.x, c.ask.size.y));
-  if (const auto stopped = stopped_at_gate(picture, {picture}, c))
-    refuse(c, "the solution's picture: " + stopped->sentence);
-  if (is_single_colour(picture))
-    refuse(c, "the solution's picture is a single colour, which any empty picture could be");
+  if (const auto stopped = stopped_at_gate(picture, {picture}, c)) refuse(c, who + "'s picture: " + stopped->sentence);
+  if (is_single_colour(picture)) refuse(c, who + "'s picture is a single colour, which any empty picture could be");
   if (c.profile == Profile::exact && is_colour(c.unit)) refuse_ties(c, picture);
 }
 
@@ -92,15 +91,21 @@ bool comparable(const JudgedCase& c, const Answer& answer, const Right& right) {
   return answer.pixels && !stopped_at_gate(*answer.pixels, {right.raw}, c);
 }
 
+ChoiceMeasurement choice_of(const JudgedCase& c, const Answer& answer, const Right& right) {
+  return measure_choice(*answer.pixels, right.raw, encoding_of(c.unit), answer.counts, *c.choice);
+}
+
 /// How many tolerances away an answer lies; what cannot be compared fails in any case.
 double margin_of(const JudgedCase& c, const Answer& answer, const Right& right) {
   if (!comparable(c, answer, right)) return largest_margin;
+  if (c.choice) return std::min(margin(choice_of(c, answer, right), *c.choice), largest_margin);
   if (c.profile != Profile::values) return margin(compared_form(*answer.pixels, c), right.picture, c);
   const ProbeMeasurement measured = measure_probe(*answer.values, right.values, c);
   return measured.malformed.empty() ? std::min(measured.worst_times, largest_margin) : largest_margin;
 }
 
 double failing_share(const JudgedCase& c, const Answer& answer, const Right& right) {
+  if (c.choice) return 1;  // credit goes by the error alone
   if (answer.ended != Answer::Ended::normally) return 1;
   if (c.profile == Profile::values) {
     if (!answer.values) return 1;
@@ -115,6 +120,8 @@ double failing_share(const JudgedCase& c, const Answer& answer, const Right& rig
 void check_skeleton(const JudgedCase& c, const ReferenceMaterial& material, const Right& right, MadeReference& made) {
   if (!material.skeleton) return;
   made.skeleton_share = failing_share(c, *material.skeleton, right);
+  if (c.choice && comparable(c, *material.skeleton, right) && choice_of(c, *material.skeleton, right).credit > 0)
+    refuse(c, "the untouched skeleton's choice earns points: let \"none\" be no more than its error");
   if (c.student && c.points > 0 && margin_of(c, *material.skeleton, right) < 1)
     refuse(c, "the untouched skeleton passes it; choose another picture, or say \"student\": false");
 }
@@ -135,9 +142,21 @@ void check_mistakes(const JudgedCase& c, const ReferenceMaterial& material, cons
   }
 }
 
-Right right_answer(const JudgedCase& c, const Answer& solution) {
-  check_solution(c, solution);
+Right right_answer(const JudgedCase& c, const ReferenceMaterial& material) {
+  const Answer& solution = material.solution;
+  check_right(c, solution, "the solution");
   Right right;
+  if (c.choice) {
+    if (!material.truth) refuse(c, "there is no truth to compare a choice with");
+    check_right(c, *material.truth, "the truth");
+    right.raw = *material.truth->pixels;
+    right.picture = compared_form(right.raw, c);
+    const ChoiceMeasurement own = choice_of(c, solution, right);
+    if (!own.passed())
+      refuse(c,
+             "the solution's own choice does not earn all points: " + describe_choice(own, solution.counts, *c.choice));
+    return right;
+  }
   if (c.profile == Profile::values) {
     right.values = expected_values(c, solution);
   } else {
@@ -159,7 +178,7 @@ MadeReference check_against(const JudgedCase& c, const ReferenceMaterial& materi
 /// Half floats hold colours eight times finer than 8-bit sRGB; data, exact colours and very bright ones keep all bits.
 Depth depth_for(const JudgedCase& c, const Image& picture) {
   constexpr float largest_half = 65504;
-  if (!is_colour(c.unit) || c.profile == Profile::exact) return Depth::single;
+  if (!is_colour(c.unit) || c.profile == Profile::exact || c.choice) return Depth::single;
   for (const Rgba& p : picture.pixels())
     if (std::max({std::abs(p.r), std::abs(p.g), std::abs(p.b)}) > largest_half) return Depth::single;
   return Depth::half;
@@ -167,6 +186,7 @@ Depth depth_for(const JudgedCase& c, const Image& picture) {
 
 void write_atlas_pictures(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
                           const Right& right, MadeReference& made) {
+  if (c.choice) return;  // what is too dear looks like the truth: a choice is no picture to be recognised by
   std::set<std::filesystem::path> current;
   for (const auto& [mistake, answer] : material.mistakes) {
     // A mistake that this case does not see has nothing to be recognised by.
@@ -223,12 +243,12 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
 }  // namespace
 
 MadeReference check_reference(const JudgedCase& c, const ReferenceMaterial& material) {
-  return check_against(c, material, right_answer(c, material.solution));
+  return check_against(c, material, right_answer(c, material));
 }
 
 MadeReference make_reference(const std::filesystem::path& folder, const JudgedCase& c,
                              const ReferenceMaterial& material) {
-  const Right right = right_answer(c, material.solution);
+  const Right right = right_answer(c, material);
   MadeReference made = check_against(c, material, right);
 
   Sidecar sidecar;

@@ -18,6 +18,7 @@ inline constexpr double least_margin = 2;
 /// What was drawn for one case, and on what.
 struct ReferenceMaterial {
   Answer solution;
+  std::optional<Answer> truth{};                   ///< of a budget case: the oracle's picture, which is its reference
   std::optional<Answer> skeleton;                  ///< the untouched skeleton's; none: it is taken to fail everywhere
   std::map<std::string, Answer> mistakes;          ///< of every mistake of the step, claimed by this case or not
   std::map<std::string, std::string> environment;  ///< "driver", "cpu" ...
@@ -38,6 +39,7 @@ struct MadeReference {
 ///   exact profile a value on the border between two 8-bit levels, which another processor would round the other way;
 /// - the mistake that the case claims to catch and that passes, or lies within `least_margin` tolerances: both figures;
 /// - a claimed mistake without an answer in `mistakes`, unless it crashed or ran out of time, which fails in any case;
+/// - of a budget case, a truth that is missing, and a solution whose own choice does not earn all points;
 /// - an untouched skeleton that passes a case which a student is meant to earn.
 MadeReference make_reference(const std::filesystem::path& folder, const JudgedCase& c,
                              const ReferenceMaterial& material);

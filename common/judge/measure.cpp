@@ -52,6 +52,10 @@ Image compared_form(const Image& raw, const JudgedCase& c) {
   return per_channel(std::move(form), [](float v) { return std::round(v * 255.0f) / 255.0f; });
 }
 
+Encoding encoding_of(Unit unit) {
+  return unit == Unit::colour ? Encoding::linear : unit == Unit::encoded ? Encoding::srgb : Encoding::data;
+}
+
 bool is_colour(Unit unit) {
   return unit == Unit::colour || unit == Unit::encoded;
 }

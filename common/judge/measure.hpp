@@ -1,6 +1,7 @@
 // The figures of one picture against one reference, in the unit and by the profile of the case.
 #pragma once
 
+#include "image/colour.hpp"
 #include "image/compare.hpp"
 #include "image/image.hpp"
 #include "judge/judged_case.hpp"
@@ -16,6 +17,9 @@ inline constexpr double robust_shift_limit = 0.5;
 Image compared_form(const Image& raw, const JudgedCase& c);
 
 bool is_colour(Unit unit);  ///< colours, linear or encoded, as opposed to directions and data
+
+/// How the numbers of a case's pictures stand for light, as a program writes them.
+Encoding encoding_of(Unit unit);
 
 /// What image/compare.hpp calls the unit of a case.
 Measure measure_of(Unit unit);

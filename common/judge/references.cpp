@@ -17,7 +17,7 @@ namespace atelier::judge {
 namespace {
 
 /// What comes out of a picture file: linear colours, as a program writes them, or the numbers as they stand.
-Encoding encoding_of(Unit unit) {
+Encoding encoding_in_file(Unit unit) {
   return unit == Unit::colour ? Encoding::linear : Encoding::data;
 }
 
@@ -131,7 +131,7 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
             fmt::format("{}: is not the file that its sidecar was written for (SHA-256 differs); take both from "
                         "one place, or make them again with './atelier reference {}'",
                         file.string(), step_));
-      return read_image(file, encoding_of(c.unit));
+      return read_image(file, encoding_in_file(c.unit));
     });
     check_size(picture, c.ask.size, file);
     if (references.pictures.empty()) references.skeleton_share = sidecar.skeleton_share;

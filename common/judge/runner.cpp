@@ -81,7 +81,7 @@ LastWords last_words(const std::string& output) {
 
 /// Reads what a program left for a case that it has ended. Each file is read once and then removed, so that a long list
 /// of large pictures does not fill the disk.
-Answer read_answer(const Case& c, const fs::path& folder) {
+Answer read_answer(const Case& c, const fs::path& folder, bool counted) {
   Answer answer;
   const fs::path pixels = folder / (c.name + ".pixels"), values = folder / (c.name + ".values");
   try {
@@ -101,6 +101,7 @@ Answer read_answer(const Case& c, const fs::path& folder) {
       answer.pixels = read_pixels(pixels, c.size);
     else
       answer.values = read_values(values);
+    if (counted && c.probe.empty()) answer.counts = read_counts(folder / (c.name + ".stats"));
     answer.ended = Ended::normally;
   } catch (const Error& error) {
     answer.error = shorten(printable(error.what()), 500);
@@ -177,7 +178,10 @@ void Share::start() {
                                         settings_.implementations.to_string(),
                                         "--progress",
                                         std::to_string(progress_descriptor)};
-  if (!settings_.context.empty()) arguments.insert(arguments.end(), {"--context", settings_.context});
+  if (settings_.count) arguments.push_back("--stats");
+  if (settings_.truth) arguments.push_back("--truth");
+  if (!settings_.context.empty() && !settings_.truth)
+    arguments.insert(arguments.end(), {"--context", settings_.context});
   worker_ = std::make_unique<Worker>(arguments, program_environment(settings_));
   begun_ = false;
   output_.clear();
@@ -240,7 +244,7 @@ void Share::begin(const std::string& name) {
 
 void Share::end(const std::string& name) {
   if (!running_ || cases_[*running_].name != name) return;
-  Answer answer = read_answer(cases_[*running_], folder_ / std::to_string(processes_) / "out");
+  Answer answer = read_answer(cases_[*running_], folder_ / std::to_string(processes_) / "out", settings_.count);
   answer.output = std::exchange(output_, {});
   answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   deliver_(*std::exchange(running_, {}), std::move(answer));

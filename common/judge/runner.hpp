@@ -29,9 +29,12 @@ namespace atelier::judge {
 struct RunSettings {
   std::filesystem::path program;  ///< BIN/NN-name
   Implementations implementations;
-  std::string context;                   ///< "osmesa", "egl" or "window"; empty: what make_headless_context() takes
-  int workers = 2;                       ///< processes at a time, 1..64; no more than there are cases are started
-  std::optional<std::uint64_t> shuffle;  ///< a seed: ask in an order drawn from it, not as listed
+  std::optional<Implementations> solution;  ///< whose code draws what is counted (judge/ask.hpp); none: the same
+  bool count = false;                       ///< also ask what each picture has cost, by --stats
+  bool truth = false;                       ///< ask for the oracle's pictures, by --truth
+  std::string context;                      ///< "osmesa", "egl" or "window"; empty: what make_headless_context() takes
+  int workers = 2;                          ///< processes at a time, 1..64; no more than there are cases are started
+  std::optional<std::uint64_t> shuffle;     ///< a seed: ask in an order drawn from it, not as listed
   std::chrono::milliseconds case_limit{10'000};   ///< wall clock of one case; then the program is killed
   std::chrono::milliseconds start_limit{10'000};  ///< wall clock until the first case begins
   /// Time-outs, in all cases together, after which no further case is asked; 0: no such limit. One may be bad luck on a

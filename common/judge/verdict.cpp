@@ -258,6 +258,37 @@ CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& a
   return result;
 }
 
+// --- Choices ---
+
+CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
+                        KeepEvidence keep) {
+  const std::vector<Image>& truth = references.of(c).pictures;
+  if (!answer.pixels) {
+    result.status = Status::missing;
+    result.reason = answer.error.empty() ? default_reason(Status::missing) : answer.error;
+    return result;
+  }
+  if (const auto stopped = stopped_at_gate(*answer.pixels, truth, c)) {
+    stop_at_gate(result, *stopped, c, *answer.pixels, references, keep);
+    return result;
+  }
+  const ChoiceMeasurement measured =
+      measure_choice(*answer.pixels, truth.front(), encoding_of(c.unit), answer.counts, *c.choice);
+  result.figures["error"] = measured.error;
+  for (const auto& [name, most] : c.choice->at_most) result.figures[name] = double(answer.counts.at(name));
+  result.reason = describe_choice(measured, answer.counts, *c.choice);
+  if (measured.passed())
+    pass(result);
+  else
+    give(result,
+         {measured.credit, "By the logarithm of the error, between what earns all points and what earns none."});
+  if (keep == KeepEvidence::always || (keep == KeepEvidence::failures && !measured.passed())) {
+    Match match = best_match(c, *answer.pixels, truth);
+    keep_evidence(result, match, c);
+  }
+  return result;
+}
+
 // --- Probes ---
 
 /// "at input 2: row 1, column 4 (m[3][0]) is 0 in place of 5"
@@ -324,6 +355,7 @@ CaseResult judge_case(const JudgedCase& c, const Answer& answer, const StepRefer
     result.hint = hint_without_answer(result.status, c.hint);
     return result;
   }
+  if (c.choice) return judge_choice(std::move(result), c, answer, references, keep);
   return c.profile == Profile::values ? judge_probe(std::move(result), c, answer, references)
                                       : judge_picture(std::move(result), c, answer, references, keep);
 }

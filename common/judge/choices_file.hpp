@@ -1,0 +1,31 @@
+// choices.txt: the settings that a student chooses for budget cases.
+//
+//   // what follows two slashes at the beginning of a line is passed over
+//   hall-choice: hall.segments = 24
+//   shine-choice: specular.power = stable
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "case/settings.hpp"
+#include "judge/judged_case.hpp"
+
+namespace atelier::judge {
+
+inline constexpr const char* choices_file = "choices.txt";  ///< below NN-name/, where the step has budget cases
+
+/// By case, by setting.
+using Choices = std::map<std::string, std::map<std::string, SettingValue>>;
+
+/// Throws Error naming the line of `where`, what stands there and what is allowed. A setting that is chosen twice for
+/// one case is refused.
+Choices read_choices(std::string_view text, const std::string& where);
+
+/// What the program is to be asked, with what was chosen for this case. Throws Error where a setting was chosen that
+/// the case does not leave open, and where nothing was chosen for it but something for a name that is nearly its own.
+Case with_choices(const JudgedCase& c, const Choices& choices);
+
+}  // namespace atelier::judge
