@@ -15,7 +15,7 @@ float attenuation(float distance, vec3 coefficients) {
 
 float spot_cone(vec3 to_light, vec3 axis, float cos_inner, float cos_outer) {
   // >>> student: compare the cosine of the angle off the axis; smoothstep is undefined where its edges are equal
-  float cosine = dot(-to_light, axis);
+  float cosine = clamp(dot(-to_light, axis), -1.0, 1.0);  // rounding must not leave a cone of 180 degrees
   if (cos_inner <= cos_outer) return cosine >= cos_outer ? 1.0 : 0.0;
   return smoothstep(cos_outer, cos_inner, cosine);
   // --- skeleton

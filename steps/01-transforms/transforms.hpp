@@ -24,8 +24,8 @@ namespace atelier::transforms {
 glm::mat4 translation(const glm::vec3& offset);
 
 /// Turns about `axis` through the origin by `angle` radians, counter-clockwise for someone whom the axis points at
-/// (Rodrigues: R = cos I + sin [a]x + (1 - cos) a a^T, with a the unit axis). The axis may have any length; one of
-/// length zero gives the identity.
+/// (Rodrigues: R = cos I + sin [a]x + (1 - cos) a a^T, with a the unit axis). The axis may have any length
+/// from 1e-18 to 1e18 (beyond, squares leave the range of a float); one of length zero gives the identity.
 glm::mat4 rotation(const glm::vec3& axis, float angle);
 
 /// Multiplies x, y and z by the factors, which may be negative or zero.
@@ -45,9 +45,10 @@ std::vector<glm::mat4> world_matrices(std::span<const Joint> joints);
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The view matrix of a camera at `eye` that looks at `target` with `up` pointing upwards in the picture: takes the eye
-/// to the origin, the way it looks to -z, and keeps lengths and angles. `up` need not be a unit vector nor square to
-/// the way it looks. Where up is parallel to it (or zero), the first of the axes x, y, z stands in that has the
-/// smallest |component| of the viewing direction; where eye = target, the camera looks along -z.
+/// to the origin, the way it looks to -z, and keeps lengths and angles. `up` need not be a unit vector (1e-18 to
+/// 1e18 long) nor square to the way it looks; within a thousandth of it floats no longer keep the three axes square.
+/// Where up is parallel to it (or zero), the first of the axes x, y, z stands in that has the smallest |component| of
+/// the viewing direction; where eye = target, the camera looks along -z.
 glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up);
 
 /// Perspective with the full vertical angle `fov_y` (radians) and aspect = width / height; the planes at distance

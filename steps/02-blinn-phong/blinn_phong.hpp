@@ -16,7 +16,8 @@
 //       1 / (c.x + c.y d + c.z d^2); a distance below 0.001 m counts as 0.001 m.
 //   float spot_cone(vec3 to_light, vec3 axis, float cos_inner, float cos_outer)
 //       1 within the inner cone, 0 outside the outer one, smooth (3t^2 - 2t^3 in the cosine) between. to_light and axis
-//       are unit vectors; the axis is the way that the light travels. Equal cosines: a hard edge, lit on it.
+//       are unit vectors; the axis is the way that the light travels. Equal cosines: a hard edge, lit on it; cosines of
+//       -1 lose no direction, though a rounded cosine may come out below.
 //   float specular_normalisation(float exponent)
 //       By the define NORMALISATION: 0 (none): 1;  1: (n + 8) / 8;  2 (exact at normal incidence):
 //       (n + 2)(n + 4) / (8 (2^(-n/2) + n)). 0 <= n <= 1e6.

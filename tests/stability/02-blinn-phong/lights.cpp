@@ -65,6 +65,7 @@ void add_cone_rows(Table& table, ShaderFunctions& shaders) {
   };
   group.equals("a cone of 179.9 degrees, a hard edge: light straight behind is lost",
                [=] { return Values{lost(-1, std::cos(3.1398472f))}; }, {1});
+  group.equals("a cone of 180 degrees: light straight behind is kept", [=] { return Values{lost(-1, -1)}; }, {0});
   group.equals("a cone of 180 degrees: light straight ahead", [=] { return Values{lost(1, -1)}; }, {0});
   group.equals("equal cosines of 0.5: lit at 59.9 degrees, dark at 60.1",
                [=] {
