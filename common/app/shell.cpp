@@ -6,6 +6,7 @@
 
 #include "app/cases.hpp"
 #include "app/command_line.hpp"
+#include "app/crash.hpp"
 #include "app/list.hpp"
 #include "app/picture.hpp"
 #include "app/record.hpp"
@@ -108,6 +109,7 @@ int run(int count, char** arguments, const StepIdentity& identity) {
 
 int run_step(int count, char** arguments, const StepIdentity& identity) {
   tell_what_was_thrown_before_aborting();
+  name_function_on_crash();
   try {
     return run(count, arguments, identity);
   } catch (const Error& error) {
