@@ -1,7 +1,6 @@
 // What drawing a picture has cost: counts that are the same on every machine, and frame times where they are asked for.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>

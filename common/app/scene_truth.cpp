@@ -1,11 +1,8 @@
 #include "app/scene_truth.hpp"
 
-#include <algorithm>
-
 #include "app/picture.hpp"
 #include "app/scene_program.hpp"
 #include "base/error.hpp"
-#include "scene/depth_range.hpp"
 
 namespace atelier {
 
@@ -29,12 +26,6 @@ Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescr
   if (lists(description, "depth.format")) wanted.reversed_depth = settings.choice("depth.format") == "32f-reversed";
   if (lists(description, "world.camera_relative") && settings.flag("world.camera_relative"))
     wanted.position_origin = wanted.camera.eye;
-  if (lists(description, "camera.fit_depth") && settings.flag("camera.fit_depth")) {
-    // Depth is told between the planes that the drawing has.
-    std::vector<Box3> boxes = node_boxes(truth.scene);
-    for (const oracle::Shape& shape : truth.shapes) boxes.push_back(oracle::bounds(shape));
-    wanted.camera = fit_depth(wanted.camera, double(request.size.x) / request.size.y, boxes);
-  }
   const oracle::World world(truth.scene, truth.shapes);
   Image image = oracle::trace(world, wanted);
   return truth.finish ? truth.finish(std::move(image)) : image;

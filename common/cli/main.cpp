@@ -175,13 +175,15 @@ void describe_measure(Interface& interface, MeasureOptions& options) {
       interface.add("measure", "Error against time and memory, setting by setting, with plots", options, run_measure);
   add_step(measure, options.step);
   measure->add_option("--setting", options.setting, "Only the sweeps of this setting; without it: all, and the fronts");
-  measure->add_option("--out", options.out, "Folder of the results; without it: out/measure/STEP");
-  measure->add_option("--frames", options.frames, "Frames that each picture is timed with")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  measure->add_flag("--mine", options.mine, "Your own files; without it: the solution, where there is one");
+  CLI::Option* out = measure->add_option("--out", options.out, "Folder of the results; without it: out/measure/STEP");
+  CLI::Option* frames = measure->add_option("--frames", options.frames, "Frames that each picture is timed with")
+                            ->check(CLI::Range(1, 10000))
+                            ->capture_default_str();
+  CLI::Option* mine =
+      measure->add_flag("--mine", options.mine, "Your own files; without it: the solution, where there is one");
   CLI::Option* handout =
       measure->add_flag("--handout", options.handout, "Draw the plots of the step's handout again, and nothing else");
+  for (CLI::Option* useless : {out, frames, mine}) handout->excludes(useless);
   measure->add_flag("--check", options.check, "With --handout: write nothing; fail where a number has changed")
       ->needs(handout);
   add_context(measure, options.context);

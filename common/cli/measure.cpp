@@ -112,8 +112,7 @@ void print_results(const measure::StepMeasured& measured, const fs::path& out) {
   for (const auto& front : measured.fronts)
     if (const measure::Ranking ranking = measure::rank(front); ranking.knee)
       fmt::print("· {}: recommended {} ({:.2f} ms, {} {:.3g})\n", front.plan.name, front.points[*ranking.knee].value,
-                 ranking.points[*ranking.knee].x * 1e3, to_string(front.plan.metric),
-                 ranking.points[*ranking.knee].y);
+                 ranking.points[*ranking.knee].x * 1e3, to_string(front.plan.metric), ranking.points[*ranking.knee].y);
   fmt::print("{}\n", (out / "index.html").string());
 }
 
@@ -150,10 +149,15 @@ int run_measure(const MeasureOptions& options) {
   const fs::path file = folders.measure_file(step.name);
   if (!fs::exists(file)) throw Error(fmt::format("{}: is missing, so there is nothing to measure", file.string()));
   Plan plan = measure::read_plan(file);
+  if (options.handout && !is_there(folders, step.name, Owner::solution))
+    throw Error(fmt::format("--handout: its plots show the solution, and {} is not here",
+                            (folders.solutions() / step.name).string()));
   const Program program = program_of(folders, course, step, options);
   const measure::Listing listing = measure::list_of(program);
   measure::check_against(plan, listing.settings, listing.output_names());
   keep_setting(plan, options.setting);
+  if (!options.check && !measure::can_plot())
+    throw Error("measure: gnuplot draws the plots, and is not here; ./atelier doctor says how to install it");
   if (options.handout) return handle_handout(folders, step, plan, program, listing, options.check);
 
   measure::StepMeasured measured = carry_out(plan, program, listing, options.frames);

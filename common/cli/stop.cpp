@@ -9,6 +9,10 @@ constexpr int ends[] = {SIGINT, SIGTERM, SIGHUP};
 volatile sig_atomic_t taken = 0;
 
 void take(int number) {
+  if (taken != 0) {
+    ::signal(number, SIG_DFL);
+    ::raise(number);  // at once, when this handler returns
+  }
   taken = number;
 }
 
@@ -18,7 +22,7 @@ StopOnSignal::StopOnSignal() {
   taken = 0;
   struct sigaction action {};
   action.sa_handler = take;
-  action.sa_flags = int(SA_RESTART | SA_RESETHAND);  // the second one finds the usual action, which is to end
+  action.sa_flags = SA_RESTART;
   for (std::size_t i = 0; i < std::size(ends); ++i) {
     ::sigaction(ends[i], nullptr, &before_[i]);
     if (before_[i].sa_handler != SIG_IGN) ::sigaction(ends[i], &action, nullptr);

@@ -59,7 +59,11 @@ std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& st
   run(settings, plain, answers, on_answer);
   RunSettings counted = settings;
   counted.count = true;
-  if (settings.solution) counted.implementations = *settings.solution;
+  if (settings.solution) {
+    counted.implementations = *settings.solution;
+    // Compiled shaders are machine code: none that the student's program has left behind.
+    if (!counted.shader_cache.empty()) counted.shader_cache /= "counted";
+  }
   run(counted, chosen, answers, on_answer);
   return answers;
 }

@@ -10,8 +10,8 @@
 namespace atelier::judge {
 
 /// As run_cases, one answer a case in their order. A case with a choice is asked with what NN-name/choices.txt on the
-/// search path of `settings` says, is counted, and is drawn by the code of settings.solution where that is known: then
-/// nothing that the student's own program does can change what it is said to cost. Where the file or a choice cannot be
+/// search path of `settings` says, is counted, and is drawn by the code of settings.solution where that is known: the
+/// student's own program has then no say in what it costs. Where the file or a choice cannot be
 /// taken, the answer says why, and nothing is drawn.
 std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& step,
                               const std::vector<JudgedCase>& cases, const OnAnswer& on_answer = {});

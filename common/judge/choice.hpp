@@ -20,6 +20,7 @@ using Counts = std::map<std::string, std::int64_t>;
 
 /// What may be chosen, and what an error is worth.
 struct Choice {
+  std::vector<std::string> cases;     ///< all budget cases of the step, this one among them: whom choices.txt may name
   std::vector<std::string> settings;  ///< the names that may be set
   Counts at_most;                     ///< what the picture may cost; above it there are no points
   ErrorMetric metric = ErrorMetric::rmse;
@@ -27,8 +28,8 @@ struct Choice {
   double none = 0;  ///< no points from this error on; full < none
 };
 
-/// Reads {"settings": [...], "at_most": {"vertices": 400}, "error": "rmse", "full": 0.01, "none": 0.1}. Throws Error
-/// naming the member, the value and what is allowed.
+/// All but `cases` from {"settings": [...], "at_most": {"vertices": 400}, "error": "rmse", "full": 0.01, "none": 0.1}.
+/// Throws Error naming the member, the value and what is allowed.
 Choice read_choice(const nlohmann::json& object, const std::string& where);
 
 /// How good a choice is.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "case/printable.hpp"
@@ -28,13 +29,15 @@ SettingValue value_of(std::string_view text) {
   if (const auto [stop, error] = std::from_chars(text.data(), end, whole); error == std::errc() && stop == end)
     return whole;
   double real = 0;
-  if (const auto [stop, error] = std::from_chars(text.data(), end, real); error == std::errc() && stop == end)
-    return real;
+  const auto [stop, error] = std::from_chars(text.data(), end, real);
+  if (error == std::errc() && stop == end && std::isfinite(real)) return real;
   return std::string(text);
 }
 
-bool is_name(std::string_view text) {
-  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789-._";
+constexpr std::string_view of_names = "abcdefghijklmnopqrstuvwxyz0123456789-._";
+constexpr std::string_view of_values = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._";
+
+bool consists_of(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.size() <= 64 && text.find_first_not_of(allowed) == text.npos;
 }
 
@@ -43,6 +46,7 @@ bool is_name(std::string_view text) {
 Choices read_choices(std::string_view text, const std::string& where) {
   Choices choices;
   int number = 0;
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the byte-order mark of some editors
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = trimmed(text.substr(begin, end - begin));
@@ -54,7 +58,7 @@ Choices read_choices(std::string_view text, const std::string& where) {
     const std::string_view setting =
         colon < equals && equals != line.npos ? trimmed(line.substr(colon + 1, equals - colon - 1)) : "";
     const std::string_view value = equals == line.npos ? "" : trimmed(line.substr(equals + 1));
-    if (!is_name(name) || !is_name(setting) || value.empty() || value.size() > 64)
+    if (!consists_of(name, of_names) || !consists_of(setting, of_names) || !consists_of(value, of_values))
       throw Error(fmt::format("{}:{}: '{}' is no choice; a line says CASE: SETTING = VALUE", where, number,
                               shorten(printable(line), 80)));
     if (!choices[std::string(name)].emplace(setting, value_of(value)).second)
@@ -64,14 +68,13 @@ Choices read_choices(std::string_view text, const std::string& where) {
 }
 
 Case with_choices(const JudgedCase& c, const Choices& choices) {
+  const auto& known = c.choice->cases;
+  for (const auto& [name, settings] : choices)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw Error(fmt::format("{}: '{}' is no case with a choice{}", choices_file, name, suggestion(name, known)));
   Case ask = c.ask;
   const auto chosen = choices.find(c.ask.name);
-  if (chosen == choices.end()) {
-    for (const auto& [name, settings] : choices)
-      if (!nearest_name(name, {c.ask.name}).empty())
-        throw Error(fmt::format("{}: there is no case '{}'; did you mean '{}'?", choices_file, name, c.ask.name));
-    return ask;
-  }
+  if (chosen == choices.end()) return ask;
   for (const auto& [setting, value] : chosen->second) {
     const auto& open = c.choice->settings;
     if (std::find(open.begin(), open.end(), setting) == open.end())

@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "case/settings.hpp"
 #include "judge/judged_case.hpp"
@@ -25,7 +26,7 @@ using Choices = std::map<std::string, std::map<std::string, SettingValue>>;
 Choices read_choices(std::string_view text, const std::string& where);
 
 /// What the program is to be asked, with what was chosen for this case. Throws Error where a setting was chosen that
-/// the case does not leave open, and where nothing was chosen for it but something for a name that is nearly its own.
+/// the case does not leave open, and where something was chosen for a name that is no budget case of the step.
 Case with_choices(const JudgedCase& c, const Choices& choices);
 
 }  // namespace atelier::judge

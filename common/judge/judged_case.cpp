@@ -202,6 +202,11 @@ CaseFile read_case_file(const fs::path& path) {
     const std::string& name = file.cases.back().ask.name;
     if (!names.insert(name).second) throw Error(fmt::format("{}: two cases are named '{}'", where, name));
   }
+  std::vector<std::string> budget_cases;
+  for (const JudgedCase& c : file.cases)
+    if (c.choice) budget_cases.push_back(c.ask.name);
+  for (JudgedCase& c : file.cases)
+    if (c.choice) c.choice->cases = budget_cases;
   return file;
 }
 

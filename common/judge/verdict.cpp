@@ -272,6 +272,12 @@ CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& an
     stop_at_gate(result, *stopped, c, *answer.pixels, references, keep);
     return result;
   }
+  for (const auto& [name, most] : c.choice->at_most)
+    if (!answer.counts.contains(name)) {
+      result.status = Status::missing;
+      result.reason = fmt::format("The program did not say what the picture costs: '{}' is missing.", name);
+      return result;
+    }
   const ChoiceMeasurement measured =
       measure_choice(*answer.pixels, truth.front(), encoding_of(c.unit), answer.counts, *c.choice);
   result.figures["error"] = measured.error;

@@ -64,12 +64,11 @@ void answer(const Program& program, const std::vector<Case>& cases, const std::v
 }
 
 Cost read_cost(const fs::path& file) {
-  constexpr double most = 1e18;
+  constexpr double most = 1e9;  // seconds, or frames
+  Cost cost;
+  for (const auto& [name, count] : read_counts(file)) cost.counts[name] = double(count);
   const std::string where = file.filename().string();
   const Json json = strict_json::parse(read_file(file, stats_limit), where);
-  Cost cost;
-  for (const auto& [name, value] : strict_json::required(json, "counts", where).items())
-    cost.counts[name] = strict_json::number(value, where + ": counts: " + name, 0, most);
   if (const Json* frames = strict_json::optional(json, "frames")) {
     const auto member = [&](const char* name) {
       return strict_json::number(strict_json::required(*frames, name, where), where + ": frames: " + name, 0, most);
