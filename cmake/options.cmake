@@ -36,6 +36,13 @@ function(atelier_precompile target)
   endif()
 endfunction()
 
+# For code that waits for files and other programs: a third less time to compile, and nobody sees the difference.
+function(atelier_compile_quickly target)
+  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_BUILD_TYPE STREQUAL Debug AND NOT ATELIER_SANITIZE)
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+endfunction()
+
 # A folder of common/: an object library that ends up in libatelier.so (see common/CMakeLists.txt).
 function(atelier_part name)
   add_library(atelier_${name} OBJECT ${ARGN})

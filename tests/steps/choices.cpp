@@ -44,10 +44,19 @@ TEST_CASE("a choice is judged apart from the code beside it", "[choices]") {
   CHECK(case_named(dear, "hall-choice")["reason"].get<std::string>().find("at most 200 are allowed") !=
         std::string::npos);
 
-  // A file that cannot be read as choices costs its own cases alone.
-  write_file(submission.path() / "01-transforms/choices.txt", std::string_view("\x1b[2J\n"));
-  const json broken = graded(submission.path());
-  CHECK(case_named(broken, "hall")["status"] == "passed");
-  CHECK(case_named(broken, "hall-choice")["status"] == "missing");
-  CHECK(case_named(broken, "hall-choice")["reason"].get<std::string>().find("choices.txt:1") != std::string::npos);
+  // What cannot be read as choices costs its own cases alone.
+  struct Row {
+    const char* text;
+    const char* says;
+  };
+  for (const Row& row : {Row{"\x1b[2J\n", "choices.txt:1"}, Row{"hall-choice: hall.segments = \xff\n", "choices.txt:1"},
+                         Row{"hall-choice: hall.segments = nan\n", "'nan' is not allowed"},
+                         Row{"hall-choise: hall.segments = 96\n", "did you mean 'hall-choice'"}}) {
+    INFO(row.says);
+    write_file(submission.path() / "01-transforms/choices.txt", std::string_view(row.text));
+    const json broken = graded(submission.path());
+    CHECK(case_named(broken, "hall")["status"] == "passed");
+    CHECK(case_named(broken, "hall-choice")["status"] == "missing");
+    CHECK(case_named(broken, "hall-choice")["reason"].get<std::string>().find(row.says) != std::string::npos);
+  }
 }

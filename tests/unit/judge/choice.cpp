@@ -54,6 +54,7 @@ JudgedCase budget_case() {
   c.unit = Unit::number;
   c.points = 2;
   c.choice = read_choice(usual, "");
+  c.choice->cases = {"hall-choice", "other-choice"};
   return c;
 }
 
@@ -108,6 +109,11 @@ TEST_CASE("choices.txt is read line by line") {
   CHECK(choices.at("shine").at("power") == SettingValue(std::string("stable")));
   CHECK(choices.at("far").at("world.offset") == SettingValue(1500.0));
   CHECK(read_choices("", "choices.txt").empty());
+  CHECK(read_choices("\xef\xbb\xbf// made elsewhere\na: b = 1", "choices.txt").size() == 1);
+  // No number: the program's setting says so by its name.
+  for (const char* text : {"nan", "inf", "-inf", "1e999", "0x20"})
+    CHECK(read_choices(std::string("a: b = ") + text, "choices.txt").at("a").at("b") ==
+          SettingValue(std::string(text)));
 
   struct Row {
     const char* text;
@@ -122,6 +128,9 @@ TEST_CASE("choices.txt is read line by line") {
       {"Hall: hall.segments = 3", "choices.txt:1"},
       {"\x1b[31m: a = 3", "choices.txt:1"},
       {"a: b = 1\na: b = 2", "choices.txt:2: b is chosen twice for a"},
+      {"a: b = \xff", "choices.txt:1"},
+      {"a: b = \x80\x80", "choices.txt:1"},
+      {"a: b = 3 metres", "choices.txt:1"},
   };
   for (const Row& row : rows) {
     INFO(row.text);
@@ -134,13 +143,13 @@ TEST_CASE("choices.txt is read line by line") {
 TEST_CASE("only what a case leaves open can be chosen for it") {
   const JudgedCase c = budget_case();
   CHECK(with_choices(c, {{"hall-choice", {{"hall.segments", 96}}}}).settings.at("hall.segments") == SettingValue(96));
-  CHECK(with_choices(c, {{"other", {{"draw.wireframe", true}}}}).settings.empty());
+  CHECK(with_choices(c, {{"other-choice", {{"draw.wireframe", true}}}}).settings.empty());
   CHECK(words_of([&] {
           with_choices(c, {{"hall-choice", {{"draw.wireframe", true}}}});
         }).find("draw.wireframe cannot be chosen here; open are hall.segments") != std::string::npos);
   CHECK(words_of([&] {
           with_choices(c, {{"hall-choise", {{"hall.segments", 96}}}});
-        }).find("hall-choice") != std::string::npos);
+        }).find("'hall-choise' is no case with a choice; did you mean 'hall-choice'?") != std::string::npos);
 }
 
 TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
@@ -201,6 +210,12 @@ TEST_CASE("a verdict on a choice says the error, the cost and what they are wort
   CHECK(dear.score == 0);
   CHECK(dear.reason.find("1 234") + dear.reason.find("1,234") != 2 * std::string::npos);
   CHECK(dear.reason.find("at most 200 are allowed") != std::string::npos);
+
+  Answer silent;
+  silent.ended = Answer::Ended::normally;
+  silent.pixels = truth;
+  CHECK(judge_case(c, silent, references).status == Status::missing);
+  CHECK(judge_case(c, silent, references).reason.find("'triangles' is missing") != std::string::npos);
 
   Answer refused;
   refused.error = "choices.txt:1: 'x' is no choice";
