@@ -165,8 +165,7 @@ void Renderer::place(const Viewpoint& viewpoint) {
 bool Renderer::hidden(const Draw& draw, const Viewpoint& viewpoint) const {
   if (!viewpoint.view.cull) return false;
   const Box3& box = meshes_[std::size_t(*scene_->nodes[std::size_t(draw.node)].mesh)].box;
-  return outside_view(viewpoint.projection * viewpoint.world_to_view * draw.model, box,
-                      depth_from_zero(viewpoint.view));
+  return outside_view(viewpoint.projection, viewpoint.world_to_view, draw.model, box, depth_from_zero(viewpoint.view));
 }
 
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {

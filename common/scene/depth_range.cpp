@@ -7,6 +7,9 @@
 namespace atelier {
 namespace {
 
+/// How much of the largest coordinate on its way floats may move a point: 6 units in the last place, 2^-23 each.
+constexpr double doubt = 6 * 1.2e-7;
+
 /// Where the camera stands and which way it looks: unit vectors.
 struct Frame {
   glm::dvec3 eye, right, up, forward;
@@ -15,8 +18,8 @@ struct Frame {
 Frame frame_of(const Camera& camera) {
   const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   glm::dvec3 right = glm::cross(forward, glm::dvec3(camera.up));
-  if (glm::length(right) < 1e-6 * glm::length(glm::dvec3(camera.up))) {
-    // Up is along the view: the axis stands in that the view is most square to, the first of equals.
+  if (glm::length(right) <= 1e-6 * glm::length(glm::dvec3(camera.up))) {
+    // Up is along the view, or zero: the axis stands in that the view is most square to, the first of equals.
     const glm::dvec3 size = glm::abs(forward);
     const int axis = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
     glm::dvec3 other(0);
@@ -84,10 +87,20 @@ double largest_coordinate(const glm::dvec3& a, const glm::dvec3& b) {
 std::vector<Box3> node_boxes(const Scene& scene) {
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
   std::vector<Box3> boxes(scene.nodes.size());
+  double coordinate = 0;  // the largest translation of all nodes, those without a mesh too
+  for (const glm::dmat4& matrix : world) {
+    const glm::dvec3 place(matrix[3]);
+    coordinate = std::max(coordinate, largest_coordinate(place, place));
+  }
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!scene.nodes[i].mesh) continue;
+    Box3& box = boxes[i];
     for (const Vertex& vertex : scene.meshes.at(std::size_t(*scene.nodes[i].mesh)).vertices)
-      boxes[i].add(glm::dvec3(world[i] * glm::dvec4(glm::dvec3(vertex.position), 1)));
+      box.add(glm::dvec3(world[i] * glm::dvec4(glm::dvec3(vertex.position), 1)));
+    if (box.empty()) continue;
+    const glm::dvec3 slack(doubt * std::max(coordinate, largest_coordinate(box.low, box.high)));
+    box.low -= slack;
+    box.high += slack;
   }
   return boxes;
 }
@@ -123,7 +136,7 @@ Camera fit_depth(Camera camera, double aspect, std::span<const Box3> boxes) {
     all = all ? DepthRange{std::min(all->near, range->near), std::max(all->far, range->far)} : *range;
   }
   if (!all) return camera;
-  const auto slack = [&](double depth) { return 6 * 1.2e-7 * coordinate + 1e-5 * std::abs(depth); };
+  const auto slack = [&](double depth) { return doubt * coordinate + 1e-5 * std::abs(depth); };
   const float near = std::max(camera.near, float(all->near - slack(all->near)));
   const float far = std::min(camera.far, float(all->far + slack(all->far)));
   if (!(near < far)) return camera;  // all that it sees lies before its near or beyond its far plane

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "scene/depth_range.hpp"
+
 namespace atelier {
 namespace {
 
@@ -53,6 +55,16 @@ glm::dvec3 most_given_back(const std::vector<Material>& materials, const std::fu
     most = glm::max(most, glm::dvec3(material.diffuse) + specular * height);
   }
   return most;
+}
+
+Box3 box_of_drawn(const Scene& scene) {
+  Box3 all;
+  for (const Box3& box : node_boxes(scene)) {
+    if (box.empty()) continue;
+    all.add(box.low);
+    all.add(box.high);
+  }
+  return all;
 }
 
 std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box) {

@@ -23,10 +23,14 @@ glm::dvec3 most_given_back(const std::vector<Material>& materials, const std::fu
 /// the encoding begins with the slope 12.92 (IEC 61966-2-1) and is flatter everywhere else.
 inline constexpr double least_visible_light = 1 / (255 * 12.92);
 
+/// The box around everything that the scene draws, in world space and wherever floats may draw it: around `node_boxes`.
+Box3 box_of_drawn(const Scene& scene);
+
 /// Indices of the lights that must be drawn, in the scene's order. The others are left out because the SUM of what they
 /// could add at any point of `box`, to any material and seen from anywhere, is below least_visible_light in each
 /// channel; so no pixel of the encoded picture changes by 1/255. (One alone would not do: a hundred lights below the
-/// limit add up.) Those that give least are left out first. A light of colour 0 goes for nothing.
+/// limit add up.) Those that give least are left out first. A light of colour 0 goes for nothing. For a scene, `box` is
+/// its `box_of_drawn`.
 std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box);
 
 }  // namespace atelier

@@ -46,8 +46,10 @@ Scene stretched() {
   return scene;
 }
 
-/// As many pieces as the setting says, or as a picture of the height in hall.fit needs: where the wall is nearest to
-/// the eye, seen or not, a piece stays behind the circle by half a pixel at most.
+/// As many pieces as hall.segments says, or as hall.fit needs: the fewest that stay behind the circle by at most half a
+/// pixel of a picture of that height, taken by the scene's own camera. Counted for the wall's nearest place, seen
+/// square on and whether or not it is in the picture. A camera moved elsewhere (--eye) has no part in it: nearer to the
+/// wall it may see more than half a pixel.
 int hall_segments(const Settings& settings, const Camera& camera) {
   const int height = settings.integer("hall.fit");
   if (height == 0) return settings.integer("hall.segments");
@@ -178,7 +180,8 @@ std::vector<SettingSpec> transform_scene_settings() {
        .low = 0,
        .high = 16384,
        .help = "height of the picture in pixels for which the wall gets the fewest pieces that look round to half a "
-               "pixel; 0: hall.segments pieces"},
+               "pixel from the scene's own camera (by its distance from the nearest wall, square on; not from an --eye "
+               "of yours); 0: hall.segments pieces"},
       {.name = "world.offset",
        .fallback = 0.0,
        .low = 0,

@@ -106,7 +106,7 @@ void LitSurface::choose_lights(const Scene& scene) {
   std::iota(kept.begin(), kept.end(), 0);
   if (cull_lights_) {
     const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
-    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), bounds(scene));
+    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene));
   }
   for (auto* list : {&points_, &spots_, &suns_}) list->clear();
   for (const int i : kept) {

@@ -20,7 +20,8 @@ std::string reason_with(const std::string& line) {
     if (const auto found = text.find(begin); found != std::string::npos) text.insert(found + begin.size(), line + "\n");
     write_file(to / file, text);
   }
-  for (const json& step : graded(submission.path())["steps"])
+  const json results = graded(submission.path());
+  for (const json& step : results["steps"])
     for (const json& c : step["cases"])
       if (c["name"] == "rotation") return c["status"].get<std::string>() + ": " + c["reason"].get<std::string>();
   return "no such case";
@@ -35,7 +36,8 @@ TEST_CASE("a crash names the student's function", "[crash]") {
   };
   const Row rows[] = {
       {"nothing to point at", "  *static_cast<volatile int*>(nullptr) = 1;"},
-      {"a division of whole numbers by zero", "  volatile int zero = 0; if (1 / zero == 7) return glm::mat4(2.0f);"},
+      {"a division of whole numbers by zero",
+       "  volatile int some = 7, zero = 0; if (some / zero == 7) return glm::mat4(2.0f);"},
       {"a stack that runs over", "  if (angle < 1e9f) return rotation(axis, angle + 1e-3f) * glm::mat4(2.0f);"},
   };
   for (const Row& row : rows) {

@@ -1,4 +1,6 @@
 // Only what the scene requires: what a frame costs, and that it falls where a scene has less or has not moved.
+#include <random>
+
 #include "catch.hpp"
 #include "pieces.hpp"
 #include "render/cull.hpp"
@@ -145,41 +147,88 @@ TEST_CASE("nodes outside the view are left out, and no pixel changes", "[counts]
       {"nearer than the near plane", {0, 0, 2.9}, false},
       {"beyond the far plane", {0, 0, -20}, false},
   };
-  for (const bool reversed : {false, true})
-    for (const bool orthographic : {false, true})
-      for (const auto& row : rows) {
-        Studio studio;
-        if (reversed && !studio.context->gl().ClipControl.call) continue;
-        INFO(row.name << ", reversed " << reversed << ", orthographic " << orthographic);
-        Scene scene = triangles({{0.25, 0.25, 0.25}, row.place});
-        if (orthographic) scene.camera.projection = Projection::orthographic;
-        studio.renderer.prepare(scene);
-        View view{.camera = scene.camera, .reversed_depth = reversed};
-        const Image all = studio.draw(view);
-        CHECK(studio.context->gl().counts().draws == 2);
-        CHECK(studio.renderer.counts().nodes_culled == 0);
-        view.cull = true;
-        CHECK(studio.draw(view) == all);
-        CHECK(studio.renderer.counts().nodes == 2);
-        CHECK(studio.renderer.counts().nodes_culled == (row.seen ? 0 : 1));
-        CHECK(studio.context->gl().counts().draws == (row.seen ? 2 : 1));
-      }
+  // The scene and its camera stand that far from the origin, metres. There floats lose the place of things (to 6 cm at
+  // a million metres), and a node near an edge of the view may be drawn: whether it is left out is no matter then.
+  for (const double far : {0.0, 1e4, 1e6})
+    for (const bool reversed : {false, true})
+      for (const bool orthographic : {false, true})
+        for (const auto& row : rows) {
+          Studio studio;
+          if (reversed && !studio.context->gl().ClipControl.call) continue;
+          INFO(row.name << ", " << far << " m away, reversed " << reversed << ", orthographic " << orthographic);
+          Scene scene = triangles({{0.25, 0.25, 0.25}, row.place});
+          const glm::dvec3 offset = far * glm::dvec3(1, 0.25, -0.5);
+          scene.nodes[0].translation = offset;
+          scene.camera.eye += offset;
+          scene.camera.target += offset;
+          if (orthographic) scene.camera.projection = Projection::orthographic;
+          studio.renderer.prepare(scene);
+          View view{.camera = scene.camera, .reversed_depth = reversed};
+          const Image all = studio.draw(view);
+          CHECK(studio.context->gl().counts().draws == 2);
+          CHECK(studio.renderer.counts().nodes_culled == 0);
+          view.cull = true;
+          CHECK(studio.draw(view) == all);
+          CHECK(studio.renderer.counts().nodes == 2);
+          if (row.seen || far == 0) CHECK(studio.renderer.counts().nodes_culled == (row.seen ? 0 : 1));
+          CHECK(studio.context->gl().counts().draws == 2 - studio.renderer.counts().nodes_culled);
+        }
+}
+
+TEST_CASE("what floats put into the view is never outside, far from the origin too", "[counts]") {
+  std::mt19937 random(3);
+  const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+  const auto point = [&](double size) {
+    return glm::dvec3(number(-size, size), number(-size, size), number(-size, size));
+  };
+  const struct {
+    double far;      // metres from the origin
+    bool misplaced;  // floats are so coarse there that they put points into the view that are outside
+  } rows[] = {{0, false}, {1e4, false}, {1e6, true}};
+  for (const auto& row : rows) {
+    INFO(row.far << " m away");
+    int outside = 0, misplaced = 0, lost = 0;
+    for (int trial = 0; trial < 20000; ++trial) {
+      const glm::dvec3 offset = row.far * glm::dvec3(1, 0.25, -0.5);
+      const glm::mat4 model = fake_compose(glm::vec3(offset + point(3)), glm::vec3(0, 1, 0), float(number(0, 6)),
+                                           glm::vec3(float(number(0.5, 2)))),
+                      view = glm::lookAt(glm::vec3(offset + point(8)), glm::vec3(offset), glm::vec3(0, 1, 0)),
+                      projection = glm::perspective(0.8f, 1.5f, 0.1f, 100.0f);
+      const glm::vec3 corner(point(1));
+      const auto inside = [](const auto& c) {
+        return std::abs(c.x) <= c.w && std::abs(c.y) <= c.w && std::abs(c.z) <= c.w;
+      };
+      const bool drawn = inside(projection * (view * (model * glm::vec4(corner, 1))));
+      const bool exact =
+          inside(glm::dmat4(projection) * (glm::dmat4(view) * (glm::dmat4(model) * glm::dvec4(glm::dvec3(corner), 1))));
+      Box3 box;
+      box.add(glm::dvec3(corner));
+      const bool left_out = outside_view(projection, view, model, box);
+      lost += drawn && left_out;
+      outside += left_out;
+      misplaced += drawn && !exact;
+    }
+    CHECK(lost == 0);
+    if (row.far < 1e6) CHECK(outside > 1000);  // it leaves out something; a million metres away ten count for nothing
+    if (row.misplaced) CHECK(misplaced > 0);
+  }
 }
 
 TEST_CASE("a box is outside only where all of it is", "[counts]") {
-  const glm::mat4 projection = glm::perspective(1.0f, 1.0f, 0.5f, 10.0f);
+  const glm::mat4 projection = glm::perspective(1.0f, 1.0f, 0.5f, 10.0f), here(1);
   const auto box = [](glm::dvec3 low, glm::dvec3 high) {
     Box3 made;
     made.add(low), made.add(high);
     return made;
   };
-  CHECK_FALSE(outside_view(projection, box({-100, -100, -100}, {100, 100, 100})));  // all around the eye
-  CHECK_FALSE(outside_view(projection, box({-100, -1, -5}, {100, 1, -4})));         // across the view, no corner in it
-  CHECK_FALSE(outside_view(projection, box({-1, -1, -30}, {1, 1, 30})));            // from behind the eye into the view
-  CHECK(outside_view(projection, box({-1, -1, 1}, {1, 1, 30})));
-  CHECK(outside_view(projection, Box3{}));
-  CHECK(outside_view(projection, box({4, 0, -5}, {5, 1, -4})));
+  const auto outside = [&](const Box3& seen) { return outside_view(projection, here, here, seen); };
+  CHECK_FALSE(outside(box({-100, -100, -100}, {100, 100, 100})));  // all around the eye
+  CHECK_FALSE(outside(box({-100, -1, -5}, {100, 1, -4})));         // across the view, no corner in it
+  CHECK_FALSE(outside(box({-1, -1, -30}, {1, 1, 30})));            // from behind the eye into the view
+  CHECK(outside(box({-1, -1, 1}, {1, 1, 30})));
+  CHECK(outside(Box3{}));
+  CHECK(outside(box({4, 0, -5}, {5, 1, -4})));
   // tan(0.5) = 0.5463: at depth 4 the view ends at 2.185.
-  CHECK(outside_view(projection, box({2.19, 0, -4}, {5, 1, -4})));
-  CHECK_FALSE(outside_view(projection, box({2.18, 0, -4}, {5, 1, -4})));
+  CHECK(outside(box({2.19, 0, -4}, {5, 1, -4})));
+  CHECK_FALSE(outside(box({2.18, 0, -4}, {5, 1, -4})));
 }

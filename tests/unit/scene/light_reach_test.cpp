@@ -123,6 +123,23 @@ TEST_CASE("lights are left out as long as their sum cannot be seen", "[light_rea
   CHECK(kept({light_of(0.9)}, glm::dvec3(0)).empty());
 }
 
+TEST_CASE("a light counts for where floats draw a surface", "[light_reach]") {
+  // The two translations make 0.3 m; in floats, whose steps are 6 cm at a million metres, 0.3125 m.
+  Scene scene;
+  scene.meshes.push_back({.vertices = {{.position = {0, 0, 0}}, {.position = {0, 1, 0}}, {.position = {0, 0, 1}}}});
+  scene.nodes = {Node{.translation = {1e6, 0, 0}}, Node{.parent = 0, .translation = {-999999.7, 0, 0}, .mesh = 0}};
+  const double drawn = double(1e6f + -999999.7f);
+  REQUIRE(drawn == 0.3125);
+  // 5 cm before the wall's own place it falls short of being seen by a tenth; it is 3.75 cm from the wall that is
+  // drawn.
+  const double away = 0.05;
+  const Light light{.position = {0.3 + away, 0, 0},
+                    .colour = glm::vec3(float(0.9 * least_visible_light * away * away))};
+  CHECK(lights_that_matter({light}, glm::dvec3(1), bounds(scene)).empty());
+  CHECK(lights_that_matter({light}, glm::dvec3(1), box_of_drawn(scene)) == std::vector<int>{0});
+  CHECK(box_of_drawn({}).empty());
+}
+
 TEST_CASE("no point of the box, no normal and no eye sees a light that is left out", "[light_reach]") {
   std::mt19937 random(4);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
