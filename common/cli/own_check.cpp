@@ -72,7 +72,7 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
   judge::RunSettings settings = run_settings(own.path);
   settings.interrupted = interrupted;
   if (options_.live && !live_drawn_) {  // once: the solution stays as it is
-    judge_.use_live_references(run_settings(search_path(folders_, step_.name, code_of(folders_, Owner::solution), {})));
+    judge_.use_live_references(run_settings(settings.solution.value()));
     live_drawn_ = true;
   }
   judge::StepResult result =

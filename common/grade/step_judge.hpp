@@ -41,8 +41,8 @@ class StepJudge {
 
   /// Has the solution draw every picture now, in the place of the stored references: for a driver that draws edges
   /// otherwise than the one that they were made with. `solution` says how; it is to ask the same driver as `judge`
-  /// will. The numbers of probes and the truths of
-  /// budget cases do not depend on a driver, and stay. Throws Error naming the case that is not drawn.
+  /// will. The numbers of probes and the truths of budget cases do not depend on a driver, and stay. Throws Error
+  /// naming the case that is not drawn.
   void use_live_references(const judge::RunSettings& solution);
 
   /// Asks the program for every case and judges each answer as it comes in. `settings` says which program and whose

@@ -45,11 +45,10 @@ struct ChoiceMeasurement {
 ChoiceMeasurement measure_choice(const Image& picture, const Image& truth, Encoding encoding, const Counts& counts,
                                  const Choice& choice);
 
-/// How many tolerances away a choice lies, as for pictures: the larger of error / full and spent / 1.
+/// How many tolerances away a choice lies, as for pictures: the larger of error / full and `spent`.
 double margin(const ChoiceMeasurement& measured, const Choice& choice);
 
-/// "The root mean square error is 0.012; all points up to 0.01, none from 0.1. vertices: 1,032, and at most 400 are
-/// allowed."
+/// "The root mean square error is 0.012 (all points up to 0.01, none from 0.1). vertices: 132 of at most 400."
 std::string describe_choice(const ChoiceMeasurement& measured, const Counts& counts, const Choice& choice);
 
 }  // namespace atelier::judge

@@ -6,32 +6,15 @@
 
 #include "app/cases.hpp"
 #include "catch.hpp"
-#include "fake_step.hpp"
-#include "gl/context.hpp"
+#include "studio.hpp"
 
 namespace {
 
 using namespace atelier;
 using test::error_of;
 using test::mentions;
-
-struct Studio {
-  TemporaryFolder folder;
-  std::unique_ptr<HeadlessContext> context = make_headless_context();
-  test::FakeStep step;
-  std::optional<Painter> painter;
-  Studio() {
-    test::write_fake_shaders(folder.path());
-    painter.emplace(step, *context, Implementations({{folder.path(), ""}}));
-  }
-};
-
-Case small_picture() {
-  Case picture;
-  picture.name = "picture";
-  picture.size = {32, 24};
-  return picture;
-}
+using test::small_picture;
+using test::Studio;
 
 }  // namespace
 
