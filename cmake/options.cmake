@@ -24,13 +24,20 @@ if(ATELIER_MOLD)
   target_link_options(atelier_options INTERFACE -fuse-ld=mold)
 endif()
 
-# For code that waits for files and other programs: a third less time to compile, and nobody sees the difference. Call it
-# before atelier_precompile: GCC 12 crashes over headers that were precompiled at another level of optimisation.
+# For code that waits for files and other programs, and for tests: a third less time to compile, and nobody sees the
+# difference. Under sanitizers, where the checks of undefined behaviour take half of that time, AddressSanitizer alone stays;
+# the code that these call keeps both. Call it before atelier_precompile: GCC 12 crashes over headers that were precompiled
+# with other options.
 function(atelier_compile_quickly target)
-  if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_BUILD_TYPE STREQUAL Debug AND NOT ATELIER_SANITIZE)
-    target_compile_options(${target} PRIVATE -O1)
-    set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR CMAKE_BUILD_TYPE STREQUAL Debug)
+    return()
   endif()
+  if(ATELIER_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined)
+  else()
+    target_compile_options(${target} PRIVATE -O1)
+  endif()
+  set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
 endfunction()
 
 # Reading the headers that everyone includes takes a second a file, their precompiled form a tenth: one for all libraries
