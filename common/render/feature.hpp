@@ -2,6 +2,7 @@
 // a scene, and brings its GLSL and its uniforms; what no feature wants does not exist in the shader that is drawn.
 #pragma once
 
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <span>
@@ -44,9 +45,16 @@ struct Need {
   Defines structure;
 };
 
-/// Places in the surface shader that a feature can fill.
+/// Places in the surface shader that a feature can fill. The last feature that fills one wins.
+///
+/// What fills `shade` may call the other three under the names visible_from_point, visible_from_spot and
+/// visible_from_sun: the share, 0..1, of the light with this number (among those of its type) that reaches the surface,
+/// 1 where no feature knows better. `to_light` is of unit length; for a sun it is the way against its light.
 enum class Slot {
-  shade,  ///< vec3 f(Surface): the light that leaves the surface; the last feature that fills it wins
+  shade,               ///< vec3 f(Surface): the light that leaves the surface
+  visible_from_point,  ///< float f(int light, vec3 position, vec3 normal, vec3 to_light); world space
+  visible_from_spot,   ///< the same
+  visible_from_sun,    ///< the same
 };
 
 /// A piece of GLSL: the file that defines a function, and the function's name.
@@ -73,6 +81,36 @@ class Binder {
   int units_ = 0;
 };
 
+/// The stages of a program that a feature draws nodes with for itself: GLSL texts of #include lines and code. The
+/// vertex stage begins with the attributes and the uniforms u_model, u_view and u_projection declared and step 01's
+/// functions included.
+struct PassSources {
+  std::string name;  ///< for messages
+  std::string vertex, fragment;
+  std::string geometry;  ///< empty: none
+  Defines structure;     ///< #defines of all stages
+  bool operator<(const PassSources& other) const;
+};
+
+/// Draws nodes of the prepared scene for a feature, into the framebuffer that it has bound: shadow maps.
+class NodePainter {
+ public:
+  /// A node with a mesh, where step 01's functions have placed it in the space that shaders call world.
+  struct Item {
+    int node = 0;  ///< index into Scene::nodes
+    glm::mat4 model{1.0f};
+    glm::mat3 normal_matrix{1.0f};
+    Box3 box;  ///< of the mesh: object space
+  };
+  virtual ~NodePainter() = default;
+
+  virtual std::span<const Item> items() const = 0;
+
+  /// Draws items (by their numbers in `items()`) with the pass's program; `bind` sets its uniforms, once. Sets which
+  /// faces are front faces, a mirrored node's being turned round; culling, depth test and viewport are the caller's.
+  virtual void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) = 0;
+};
+
 class Feature {
  public:
   virtual ~Feature() = default;
@@ -83,14 +121,25 @@ class Feature {
   /// Makes what the scene needs of it in OpenGL's memory. Called once for a scene.
   virtual void prepare(Gl&, const Scene&) {}
 
-  /// Asked for each material in each view.
-  virtual Need need(const Scene&, const View&, const Material&) const = 0;
+  /// Called where the scene's nodes or lights have moved since `prepare`.
+  virtual void moved(const Scene&) {}
+
+  /// Draws what the view needs beforehand, into targets of the feature's own. Called once before each frame; leaves the
+  /// state of culling, depth test, colour mask and viewport as it likes.
+  virtual void draw_before(Gl&, const Scene&, const Viewpoint&, NodePainter&) {}
+
+  /// Asked for each node with a mesh in each view.
+  virtual Need need(const Scene&, const View&, const Node&) const = 0;
 
   /// Which slots it fills where it is wanted.
   virtual std::map<Slot, SlotCode> slots() const { return {}; }
 
   /// Intermediates that it can show: output name to a GLSL expression of type vec3 over `Surface surface`.
   virtual std::map<std::string, std::string> outputs() const { return {}; }
+
+  /// Fills the whole target with an output that is no picture of the scene's surfaces, and says so by returning true: a
+  /// shadow map as it is stored. Called after `draw_before`, with the target bound.
+  virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
   /// Sets what is the same for all draws of a view with one program.
   virtual void bind_view(Binder&, const Scene&, const Viewpoint&) {}

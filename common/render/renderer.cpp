@@ -37,10 +37,21 @@ void Renderer::configure(const Settings& settings) {
   for (auto& feature : features_) feature->configure(settings);
 }
 
+void Renderer::nodes_moved() {
+  placed_for_.reset();
+  if (scene_)
+    for (auto& feature : features_) feature->moved(*scene_);
+}
+
+void Renderer::lights_moved() {
+  if (scene_)
+    for (auto& feature : features_) feature->moved(*scene_);
+}
+
 void Renderer::prepare(const Scene& scene) {
   validate(scene);
   meshes_.clear();
-  nodes_moved();
+  placed_for_.reset();
   counts_ = {};
   scene_ = &scene;
   for (const Mesh& mesh : scene.meshes) {
@@ -60,27 +71,51 @@ std::filesystem::path Renderer::find_shader(const std::string& name) const {
   return std::filesystem::exists(own) ? own : std::filesystem::path();
 }
 
+namespace {
+
+/// When each of the files that stages were put together from was last changed.
+std::map<std::filesystem::path, std::filesystem::file_time_type> changes_of(
+    std::initializer_list<const ShaderSource*> stages) {
+  std::map<std::filesystem::path, std::filesystem::file_time_type> files;
+  for (const ShaderSource* stage : stages)
+    for (const auto& file : stage->files)
+      if (std::error_code missing; std::filesystem::exists(file, missing))
+        files[file] = std::filesystem::last_write_time(file);
+  return files;
+}
+
+}  // namespace
+
 Renderer::Program Renderer::build(const SurfaceKey& key) const {
   const SurfaceSources sources =
       assemble_surface([this](const std::string& name) { return find_shader(name); }, transforms_.glsl, key);
   GlProgram program = build_program(gl_, sources.vertex, sources.fragment);
-  Program built{std::move(program), Uniforms(gl_, 0), {}};
-  built.uniforms = Uniforms(gl_, built.program.id());
-  for (const auto* source : {&sources.vertex, &sources.fragment})
-    for (const auto& file : source->files)
-      if (std::error_code missing; std::filesystem::exists(file, missing))
-        built.files[file] = std::filesystem::last_write_time(file);
-  return built;
+  Uniforms uniforms(gl_, program.id());
+  return {std::move(program), std::move(uniforms), changes_of({&sources.vertex, &sources.fragment})};
 }
 
-Renderer::Program& Renderer::program(const SurfaceKey& key) {
-  auto found = programs_.find(key);
-  if (found == programs_.end()) found = programs_.emplace(key, build(key)).first;
+Renderer::Program Renderer::build(const PassSources& pass) const {
+  const FindFile find = [this](const std::string& name) { return find_shader(name); };
+  const auto stage = [&](const std::string& text, const char* which) {
+    return assemble_shader_text(find, text, fmt::format("{} {} shader", pass.name, which), pass.structure);
+  };
+  const ShaderSource vertex = stage(pass_vertex_text(transforms_.glsl) + pass.vertex, "vertex"),
+                     fragment = stage(pass.fragment, "fragment"), geometry = stage(pass.geometry, "geometry");
+  GlProgram program = build_program(gl_, vertex, fragment, pass.geometry.empty() ? nullptr : &geometry);
+  Uniforms uniforms(gl_, program.id());
+  return {std::move(program), std::move(uniforms), changes_of({&vertex, &fragment, &geometry})};
+}
+
+template <class Key>
+Renderer::Program& Renderer::program(std::map<Key, Program>& programs, const Key& key) {
+  auto found = programs.find(key);
+  if (found == programs.end()) found = programs.emplace(key, build(key)).first;
   return found->second;
 }
 
-std::string Renderer::reload_changed_shaders() {
-  for (auto& [key, program] : programs_)
+template <class Key>
+std::string Renderer::reload_changed(std::map<Key, Program>& programs) {
+  for (auto& [key, program] : programs)
     for (auto& [file, seen] : program.files) {
       std::error_code gone;
       const auto now = std::filesystem::last_write_time(file, gone);
@@ -95,16 +130,21 @@ std::string Renderer::reload_changed_shaders() {
   return {};
 }
 
-SurfaceKey Renderer::key_for(const View& view, const Material& material) const {
+std::string Renderer::reload_changed_shaders() {
+  const std::string words = reload_changed(programs_), words_of_passes = reload_changed(pass_programs_);
+  return words.empty() ? words_of_passes : words;
+}
+
+SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
   SurfaceKey key;
   key.output = view.output;
   for (const auto& feature : features_) {
-    const Need need = feature->need(*scene_, view, material);
+    const Need need = feature->need(*scene_, view, node);
     if (!need.wanted) continue;
     key.features.push_back(feature.get());
     key.structure.insert(need.structure.begin(), need.structure.end());
   }
-  if (material.two_sided) key.structure["TWO_SIDED"] = std::string("1");
+  if (scene_->materials[std::size_t(node.material)].two_sided) key.structure["TWO_SIDED"] = std::string("1");
   return key;
 }
 
@@ -155,17 +195,17 @@ void Renderer::place(const Viewpoint& viewpoint) {
   const std::vector<glm::mat4> world = transforms_.world_matrices(joints);
   if (world.size() != joints.size())
     throw Error(fmt::format("world_matrices returned {} matrices for {} nodes", world.size(), joints.size()));
-  draws_.clear();
+  items_.clear();
   for (std::size_t i = 0; i < world.size(); ++i)
-    if (scene_->nodes[i].mesh) draws_.push_back({int(i), world[i], transforms_.normal_matrix(world[i])});
-  counts_.matrices = std::int64_t(world.size() + draws_.size());
+    if (const auto mesh = scene_->nodes[i].mesh)
+      items_.push_back({int(i), world[i], transforms_.normal_matrix(world[i]), meshes_[std::size_t(*mesh)].box});
+  counts_.matrices = std::int64_t(world.size() + items_.size());
   placed_for_ = wanted;
 }
 
-bool Renderer::hidden(const Draw& draw, const Viewpoint& viewpoint) const {
-  if (!viewpoint.view.cull) return false;
-  const Box3& box = meshes_[std::size_t(*scene_->nodes[std::size_t(draw.node)].mesh)].box;
-  return outside_view(viewpoint.projection, viewpoint.world_to_view, draw.model, box, depth_from_zero(viewpoint.view));
+bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
+  return viewpoint.view.cull && outside_view(viewpoint.projection, viewpoint.world_to_view, item.model, item.box,
+                                             depth_from_zero(viewpoint.view));
 }
 
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
@@ -177,6 +217,9 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GLenum(from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
   gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
   gl_.DepthMask(GL_TRUE);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.CullFace(GL_BACK);
+  gl_.Disable(GL_DEPTH_CLAMP);
   gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);
   const glm::vec3 background = view.output == "colour" ? scene_->background : glm::vec3(0);
   gl_.ClearColor(background.r, background.g, background.b, 1);
@@ -185,18 +228,28 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   transforms_.set_wireframe(gl_, view.wireframe);
 }
 
-void Renderer::draw(const Draw& draw, const Viewpoint& viewpoint) {
-  const Node& node = scene_->nodes[std::size_t(draw.node)];
-  const Material& material = scene_->materials[std::size_t(node.material)];
-  const UploadedMesh& mesh = meshes_[std::size_t(*node.mesh)];
+void Renderer::draw_mesh(const Item& item) {
+  const UploadedMesh& mesh = meshes_[std::size_t(*scene_->nodes[std::size_t(item.node)].mesh)];
   if (!mesh.vertex_array || mesh.count <= 0) return;  // step 01's upload_mesh is not written yet: nothing to draw
-  const SurfaceKey key = key_for(viewpoint.view, material);
-  Program& chosen = program(key);
+  // A mirrored model turns its triangles round: what was counter-clockwise is clockwise now.
+  gl_.FrontFace(GLenum(glm::determinant(glm::mat3(item.model)) < 0 ? GL_CW : GL_CCW));
+  gl_.BindVertexArray(mesh.vertex_array.id());
+  if (mesh.index_buffer)
+    gl_.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
+  else
+    gl_.DrawArrays(GL_TRIANGLES, 0, mesh.count);
+}
+
+void Renderer::draw(const Item& item, const Viewpoint& viewpoint) {
+  const Node& node = scene_->nodes[std::size_t(item.node)];
+  const Material& material = scene_->materials[std::size_t(node.material)];
+  const SurfaceKey key = key_for(viewpoint.view, node);
+  Program& chosen = program(programs_, key);
   gl_.UseProgram(chosen.program.id());
 
   Binder binder(gl_, chosen.uniforms);
-  binder.set("u_model", draw.model);
-  binder.set("u_normal_matrix", draw.normal_matrix);
+  binder.set("u_model", item.model);
+  binder.set("u_normal_matrix", item.normal_matrix);
   binder.set("u_view", viewpoint.world_to_view);
   binder.set("u_projection", viewpoint.projection);
   binder.set("u_eye_world", viewpoint.eye);
@@ -205,18 +258,41 @@ void Renderer::draw(const Draw& draw, const Viewpoint& viewpoint) {
     feature->bind_view(binder, *scene_, viewpoint);
     feature->bind_material(binder, *scene_, material);
   }
-
-  // A mirrored model turns its triangles round: what was counter-clockwise is clockwise now.
-  gl_.FrontFace(GLenum(glm::determinant(glm::mat3(draw.model)) < 0 ? GL_CW : GL_CCW));
   if (material.two_sided || viewpoint.view.wireframe)
     gl_.Disable(GL_CULL_FACE);
   else
     gl_.Enable(GL_CULL_FACE);
-  gl_.BindVertexArray(mesh.vertex_array.id());
-  if (mesh.index_buffer)
-    gl_.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
-  else
-    gl_.DrawArrays(GL_TRIANGLES, 0, mesh.count);
+  draw_mesh(item);
+}
+
+void Renderer::paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) {
+  if (items.empty()) return;
+  Program& chosen = program(pass_programs_, pass);
+  gl_.UseProgram(chosen.program.id());
+  Binder binder(gl_, chosen.uniforms);
+  bind(binder);
+  for (const int i : items) {
+    const Item& item = items_[std::size_t(i)];
+    binder.set("u_model", item.model);
+    draw_mesh(item);
+  }
+  gl_.BindVertexArray(0);
+}
+
+void Renderer::draw_all(const Viewpoint& viewpoint) {
+  for (const Item& item : items_) {
+    ++counts_.nodes;
+    if (hidden(item, viewpoint))
+      ++counts_.nodes_culled;
+    else
+      draw(item, viewpoint);
+  }
+}
+
+bool Renderer::drawn_instead(const View& view, const Target& target) {
+  for (const auto& feature : features_)
+    if (feature->draw_instead(gl_, view, target)) return true;
+  return false;
 }
 
 void Renderer::render(const View& view, const Target& target) {
@@ -224,14 +300,9 @@ void Renderer::render(const View& view, const Target& target) {
   counts_ = {};
   const Viewpoint viewpoint = look(view, target);
   place(viewpoint);
+  for (const auto& feature : features_) feature->draw_before(gl_, *scene_, viewpoint, *this);
   begin(viewpoint, target);
-  for (const Draw& each : draws_) {
-    ++counts_.nodes;
-    if (hidden(each, viewpoint))
-      ++counts_.nodes_culled;
-    else
-      draw(each, viewpoint);
-  }
+  if (!drawn_instead(view, target)) draw_all(viewpoint);
   for (const auto& feature : features_) feature->count(counts_);
   gl_.BindVertexArray(0);
   transforms_.set_wireframe(gl_, false);

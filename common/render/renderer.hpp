@@ -13,7 +13,7 @@
 
 namespace atelier {
 
-class Renderer {
+class Renderer : private NodePainter {
  public:
   /// Shaders are found along `implementations`, then among the renderer's own.
   Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
@@ -27,7 +27,9 @@ class Renderer {
 
   /// To be called where nodes of the prepared scene have moved: matrices are computed once and kept until then (or,
   /// where the view is camera-relative, until the eye moves).
-  void nodes_moved() { placed_for_.reset(); }
+  void nodes_moved();
+  /// To be called where lights of the prepared scene have moved or changed.
+  void lights_moved();
 
   /// Clears the target to the background and draws the prepared scene. Throws ShaderError with the author's file and
   /// line, Error where the view asks what the driver or the target lacks.
@@ -51,11 +53,6 @@ class Renderer {
     GLsizei count = 0;
     Box3 box;  ///< object space
   };
-  struct Draw {
-    int node = 0;
-    glm::mat4 model{1.0f};
-    glm::mat3 normal_matrix{1.0f};
-  };
   /// What the matrices depend on beside the scene.
   struct Placement {
     bool camera_relative = false;
@@ -65,13 +62,23 @@ class Renderer {
 
   std::filesystem::path find_shader(const std::string& name) const;
   Program build(const SurfaceKey& key) const;
-  Program& program(const SurfaceKey& key);
-  SurfaceKey key_for(const View& view, const Material& material) const;
+  Program build(const PassSources& pass) const;
+  template <class Key>
+  Program& program(std::map<Key, Program>& programs, const Key& key);
+  template <class Key>
+  std::string reload_changed(std::map<Key, Program>& programs);
+  SurfaceKey key_for(const View& view, const Node& node) const;
   Viewpoint look(const View& view, const Target& target) const;
   void place(const Viewpoint& viewpoint);
-  bool hidden(const Draw& draw, const Viewpoint& viewpoint) const;
+  bool hidden(const Item& item, const Viewpoint& viewpoint) const;
   void begin(const Viewpoint& viewpoint, const Target& target);
-  void draw(const Draw& draw, const Viewpoint& viewpoint);
+  void draw(const Item& item, const Viewpoint& viewpoint);
+  void draw_mesh(const Item& item);
+  void draw_all(const Viewpoint& viewpoint);
+  bool drawn_instead(const View& view, const Target& target);
+
+  std::span<const Item> items() const override { return items_; }
+  void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) override;
 
   Gl& gl_;
   Implementations implementations_;
@@ -79,10 +86,11 @@ class Renderer {
   std::vector<std::unique_ptr<Feature>> features_;
   const Scene* scene_ = nullptr;
   std::vector<UploadedMesh> meshes_;
-  std::vector<Draw> draws_;              ///< of all nodes with a mesh
-  std::optional<Placement> placed_for_;  ///< for which `draws_` is right
+  std::vector<Item> items_;              ///< of all nodes with a mesh
+  std::optional<Placement> placed_for_;  ///< for which `items_` is right
   SceneCounts counts_;
   std::map<SurfaceKey, Program> programs_;
+  std::map<PassSources, Program> pass_programs_;
 };
 
 }  // namespace atelier

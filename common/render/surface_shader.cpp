@@ -46,18 +46,42 @@ vec3 encode_direction(vec3 v) {
 }
 )";
 
-/// Where no feature shades the surface there is nothing but a flat grey: a silhouette.
-SlotCode shade_code(const SurfaceKey& key) {
+/// What fills a slot: the last feature's code, or nothing.
+SlotCode code_for(Slot slot, const SurfaceKey& key) {
   SlotCode code;
   for (const Feature* feature : key.features) {
     const auto slots = feature->slots();
-    if (const auto found = slots.find(Slot::shade); found != slots.end()) code = found->second;
+    if (const auto found = slots.find(slot); found != slots.end()) code = found->second;
   }
   return code;
 }
 
 std::string include_line(const std::string& file) {
   return fmt::format("#include \"{}\"\n", file);
+}
+
+/// The visibility of lights, under the names that shading code calls: declared before that code, defined behind it,
+/// since both may stand in one file. Nothing where no feature knows about shadows.
+struct Visibility {
+  std::string before, behind;
+};
+
+Visibility visibility_text(const SurfaceKey& key) {
+  Visibility text;
+  bool any = false;
+  for (const auto& [slot, type] : {std::pair{Slot::visible_from_point, "point"},
+                                   {Slot::visible_from_spot, "spot"},
+                                   {Slot::visible_from_sun, "sun"}}) {
+    const SlotCode code = code_for(slot, key);
+    const std::string head =
+        fmt::format("float visible_from_{}(int light, vec3 position, vec3 normal, vec3 to_light)", type);
+    text.before += head + ";\n";
+    if (!code.include.empty()) text.behind += include_line(code.include);
+    text.behind += fmt::format("{} {{ return {}; }}\n", head,
+                               code.function.empty() ? "1.0" : code.function + "(light, position, normal, to_light)");
+    any |= !code.function.empty();
+  }
+  return any ? text : Visibility{};
 }
 
 std::string output_expression(const SurfaceKey& key, const std::string& shaded) {
@@ -79,6 +103,15 @@ bool SurfaceKey::operator<(const SurfaceKey& other) const {
   return std::tie(features, structure, output) < std::tie(other.features, other.structure, other.output);
 }
 
+std::string pass_vertex_text(const std::string& transforms_glsl) {
+  return R"(
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_texcoord;
+uniform mat4 u_model, u_view, u_projection;
+)" + include_line(transforms_glsl);
+}
+
 std::vector<std::string> surface_outputs() {
   std::vector<std::string> names;
   for (const auto& [name, expression] : own_outputs()) names.push_back(name);
@@ -86,9 +119,13 @@ std::vector<std::string> surface_outputs() {
 }
 
 SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key) {
-  const SlotCode shade = shade_code(key);
+  // Where no feature shades the surface there is nothing but a flat grey: a silhouette.
+  const SlotCode shade = code_for(Slot::shade, key);
   const bool per_vertex = key.structure.contains("PER_VERTEX") && key.output == "colour" && !shade.function.empty();
-  const std::string shading = shade.include.empty() ? "" : include_line("surface.glsl") + include_line(shade.include);
+  const Visibility visibility = visibility_text(key);
+  const std::string shading = shade.include.empty() ? ""
+                                                    : include_line("surface.glsl") + visibility.before +
+                                                          include_line(shade.include) + visibility.behind;
   const std::string shaded = shade.function.empty() ? "vec3(0.5)" : shade.function + "(surface)";
 
   // Vertex stage: step 01's functions place the corner; Gouraud shading also lights it here.

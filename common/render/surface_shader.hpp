@@ -25,6 +25,9 @@ struct SurfaceSources {
 /// renderer nor a wanted feature offers.
 SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key);
 
+/// What stands before the vertex stage of a pass (PassSources): attributes, matrices, and step 01's functions.
+std::string pass_vertex_text(const std::string& transforms_glsl);
+
 /// Intermediates that the renderer itself offers: "depth", "normal", "texcoord", "position".
 std::vector<std::string> surface_outputs();
 

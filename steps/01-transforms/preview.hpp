@@ -8,7 +8,7 @@ namespace atelier {
 
 class Preview : public Feature {
  public:
-  Need need(const Scene&, const View&, const Material&) const override { return {.wanted = true}; }
+  Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override { return {{Slot::shade, {"01-transforms/preview.glsl", "preview"}}}; }
   void bind_material(Binder& binder, const Scene&, const Material& material) override {
     binder.set("u_colour", material.diffuse);

@@ -140,7 +140,8 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
     }
 }
 
-Need LitSurface::need(const Scene&, const View& view, const Material& material) const {
+Need LitSurface::need(const Scene& scene, const View& view, const Node& node) const {
+  const Material& material = scene.materials[std::size_t(node.material)];
   Need need{.wanted = true};
   Defines& d = need.structure;
   d["POINT_LIGHTS"] = std::to_string(points_.size());

@@ -12,12 +12,18 @@ class LitSurface : public Feature {
  public:
   void configure(const Settings& settings) override;
   void prepare(Gl& gl, const Scene& scene) override;
-  Need need(const Scene& scene, const View& view, const Material& material) const override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void bind_material(Binder& binder, const Scene& scene, const Material& material) override;
   void count(SceneCounts& counts) const override;
+  void moved(const Scene& scene) override { choose_lights(scene); }
+
+  /// Lights that the shaders add up, as indices into the scene's: light i of u_point_lights is points()[i].
+  const std::vector<int>& points() const { return points_; }
+  const std::vector<int>& spots() const { return spots_; }
+  const std::vector<int>& suns() const { return suns_; }
 
  private:
   enum class Power { direct, stable, table };

@@ -34,7 +34,7 @@ class Tint : public Feature {
     const std::string& colour = settings.choice("tint.colour");
     tint_ = brightness * (colour == "red" ? glm::vec3(1, 0.1f, 0.1f) : glm::vec3(0.2f, 0.5f, 1));
   }
-  Need need(const Scene&, const View&, const Material&) const override { return {.wanted = true}; }
+  Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override {
     return {{Slot::shade, {std::string(step_name) + "/shade.glsl", "shade"}}};
   }

@@ -21,7 +21,9 @@ struct Piece : Feature {
 
   void configure(const Settings&) override { ++configured; }
   void prepare(Gl&, const Scene&) override { ++prepared; }
-  Need need(const Scene&, const View&, const Material& material) const override { return wants(material); }
+  Need need(const Scene& scene, const View&, const Node& node) const override {
+    return wants(scene.materials[std::size_t(node.material)]);
+  }
   std::map<Slot, SlotCode> slots() const override { return filled; }
   std::map<std::string, std::string> outputs() const override { return shown; }
   void bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) override {
