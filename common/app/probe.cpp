@@ -60,10 +60,10 @@ void set_uniform(Gl& gl, GLint at, const std::vector<double>& values) {
 
 glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression,
                                 const Arguments& arguments) {
-  std::string text = "out vec4 o_value;\n" + preamble;
+  std::string text = "out vec4 o_value;\n";
   for (const auto& [name, values] : arguments.values)
     text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
-  text += "void main() { o_value = " + expression + "; }\n";
+  text += preamble + "void main() { o_value = " + expression + "; }\n";
 
   const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   auto found = programs_.find(text);

@@ -18,7 +18,8 @@ class ShaderProbe {
   ShaderProbe(Gl& gl, const Implementations& implementations) : gl_(gl), implementations_(implementations) {}
 
   /// The vec4 `expression`, in which every argument can be named: 1 number is a float, 2 to 4 a vector, 9 a mat3, 16 a
-  /// mat4. `preamble` stands before it: #include lines. Throws ShaderError with the author's file and line.
+  /// mat4. `preamble` stands before it: #include lines, whose files may read arguments as the uniforms that they are.
+  /// Samplers read what is bound to texture unit 0. Throws ShaderError with the author's file and line.
   glm::vec4 evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments);
 
  private:

@@ -127,6 +127,10 @@ const SettingValue& Settings::value(std::string_view name) const {
   return found != values_.end() ? found->second : spec(name).fallback;  // spec throws for what is unknown
 }
 
+bool Settings::has(std::string_view name) const {
+  return std::any_of(specs_.begin(), specs_.end(), [&](const SettingSpec& spec) { return spec.name == name; });
+}
+
 namespace {
 
 template <class Type>

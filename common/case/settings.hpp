@@ -50,6 +50,7 @@ class Settings {
   const std::vector<SettingSpec>& specs() const { return specs_; }
   const std::map<std::string, SettingValue, std::less<>>& values() const { return values_; }
   const SettingValue& value(std::string_view name) const;
+  bool has(std::string_view name) const;  ///< whether there is a setting of this name
 
  private:
   const SettingSpec& spec(std::string_view name) const;

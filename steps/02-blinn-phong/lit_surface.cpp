@@ -50,12 +50,15 @@ Filter chosen_filter(const std::string& choice, Filter of_scene) {
 
 }  // namespace
 
+SettingSpec shading_setting() {
+  return {.name = "shading",
+          .fallback = std::string("pixel"),
+          .choices = {"pixel", "vertex"},
+          .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"};
+}
+
 std::vector<SettingSpec> lit_surface_settings() {
   return {
-      {.name = "shading",
-       .fallback = std::string("pixel"),
-       .choices = {"pixel", "vertex"},
-       .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"},
       {.name = "specular.normalisation",
        .fallback = std::string("none"),
        .choices = {"none", "n+8", "exact"},
@@ -85,7 +88,8 @@ std::vector<SettingSpec> lit_surface_settings() {
 }
 
 void LitSurface::configure(const Settings& settings) {
-  per_vertex_ = settings.choice("shading") == "vertex";
+  // Shadows are looked up for every pixel: programs that have them leave the choice out.
+  per_vertex_ = settings.has("shading") && settings.choice("shading") == "vertex";
   const std::string& normalisation = settings.choice("specular.normalisation");
   normalisation_ = normalisation == "n+8" ? 1 : normalisation == "exact" ? 2 : 0;
   const std::string& power = settings.choice("specular.power");

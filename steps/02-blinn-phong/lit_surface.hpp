@@ -5,7 +5,10 @@
 
 namespace atelier {
 
-/// The settings of this step that belong to the surface (not to the scene).
+/// "shading": pixel or vertex. A program that does not list it works out light for every pixel.
+SettingSpec shading_setting();
+
+/// The other settings of this step that belong to the surface (not to the scene).
 std::vector<SettingSpec> lit_surface_settings();
 
 class LitSurface : public Feature {

@@ -12,6 +12,7 @@ namespace {
 
 StepDescription describe() {
   std::vector<SettingSpec> settings = lit_surface_settings();
+  settings.insert(settings.begin(), shading_setting());
   for (const SettingSpec& spec : blinn_phong_scene_settings()) settings.push_back(spec);
   return {.name = "02-blinn-phong",
           .title = "Light and materials after Blinn and Phong",

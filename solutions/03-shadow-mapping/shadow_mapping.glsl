@@ -1,0 +1,213 @@
+// 03-shadow-mapping, the lookup: how much of a light reaches a point. What each function must do stands in
+// shadow_mapping.hpp; the structs and uniforms are these:
+#include "03-shadow-mapping/shadows.glsl"
+
+// ---- One lookup
+
+vec3 shadow_coordinate(mat4 world_to_map, vec3 position) {
+  // >>> student: multiply, divide by w; behind the light there is no such point
+  vec4 mapped = world_to_map * vec4(position, 1.0);
+  if (mapped.w <= 0.0) return vec3(0.0, 0.0, 2.0);
+  vec3 coordinate = mapped.xyz / mapped.w;
+  return vec3(coordinate.xy, min(coordinate.z, 1.0));
+  // --- skeleton
+  // | return vec3(0.0, 0.0, 2.0);
+  // <<< student
+}
+
+float map_width(ShadowLight light, float depth) {
+  // >>> student: a pyramid grows with the depth, a box does not
+  return 2.0 * light.half_width * (light.sun ? 1.0 : depth);
+  // --- skeleton
+  // | return 1.0;
+  // <<< student
+}
+
+float lit(vec3 coordinate, int layer) {
+  // >>> student: compare z with the depth that is stored at (u, v), by COMPARE
+  if (coordinate.z > 1.0) return 1.0;
+#ifdef COMPARE
+  return texture(u_shadow_maps, vec4(coordinate.xy, layer, coordinate.z));
+#else
+  return coordinate.z <= texture(u_shadow_maps, vec3(coordinate.xy, layer)).r ? 1.0 : 0.0;
+#endif
+  // --- skeleton
+  // | return 1.0;
+  // <<< student
+}
+
+// ---- Bias: the point is moved before it is looked up
+
+vec3 constant_bias(vec3 position, vec3 to_light, float amount) {
+  // >>> student: towards the light
+  return position + amount * to_light;
+  // --- skeleton
+  // | return position;
+  // <<< student
+}
+
+vec3 slope_bias(vec3 position, vec3 normal, vec3 to_light, vec3 axis, float amount) {
+  // >>> student: towards the light, the more the flatter the surface lies to it
+  float sine = length(cross(normal, axis)), cosine = max(dot(normal, to_light), 0.01);
+  return position + amount * sine / cosine * to_light;
+  // --- skeleton
+  // | return position;
+  // <<< student
+}
+
+vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount) {
+  // >>> student: off the surface, the more the steeper it stands in the map
+  return position + amount * length(cross(normal, axis)) * normal;
+  // --- skeleton
+  // | return position;
+  // <<< student
+}
+
+vec2 plane_slope(vec3 dx, vec3 dy) {
+  // >>> student: two equations, s.x du + s.y dv = dz, by Cramer's rule; parallel directions have no answer
+  float determinant = dx.x * dy.y - dx.y * dy.x;
+  if (abs(determinant) <= 1e-6 * length(dx.xy) * length(dy.xy)) return vec2(0.0);
+  vec2 slope = vec2(dx.z * dy.y - dx.y * dy.z, dx.x * dy.z - dx.z * dy.x) / determinant;
+  return clamp(slope, -100.0, 100.0);
+  // --- skeleton
+  // | return vec2(0.0);
+  // <<< student
+}
+
+// ---- Many lookups
+
+float pcf(vec3 coordinate, vec2 slope, int layer) {
+  // >>> student: the mean over a square of PCF x PCF texels; a texel is 1 / textureSize of the map wide
+  float texel = 1.0 / float(textureSize(u_shadow_maps, 0).x);
+  float sum = 0.0;
+  for (int y = 0; y < PCF; ++y)
+    for (int x = 0; x < PCF; ++x) {
+      vec2 offset = texel * (vec2(x, y) - 0.5 * float(PCF - 1));
+      sum += lit(coordinate + vec3(offset, dot(slope, offset)), layer);
+    }
+  return sum / float(PCF * PCF);
+  // --- skeleton
+  // | return lit(coordinate, layer);
+  // <<< student
+}
+
+// ---- Soft shadows
+
+float linear_depth(ShadowLight light, float z) {
+  // >>> student: undo the projection
+  float n = light.near, f = light.far;
+  return light.sun ? mix(n, f, z) : n * f / (f - z * (f - n));
+  // --- skeleton
+  // | return z;
+  // <<< student
+}
+
+float penumbra_width(ShadowLight light, float receiver, float blocker) {
+  // >>> student: similar triangles: the light, the blocker's edge, the receiver
+  return (receiver - blocker) * light.width / (light.sun ? 1.0 : blocker);
+  // --- skeleton
+  // | return 0.0;
+  // <<< student
+}
+
+#ifdef PCSS
+float blocker_depth(ShadowLight light, vec3 coordinate, vec2 slope, float search) {
+  // >>> student: the mean linear depth of the samples that stand nearer to the light than the surface
+  float sum = 0.0, count = 0.0;
+  for (int i = 0; i < SAMPLES; ++i) {
+    vec2 offset = sample_point(i) * search;
+    float stored = texture(u_shadow_maps, vec3(coordinate.xy + offset, light.layer)).r;
+    if (stored < coordinate.z + dot(slope, offset)) {
+      sum += linear_depth(light, stored);
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? sum / count : -1.0;
+  // --- skeleton
+  // | return -1.0;
+  // <<< student
+}
+
+float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
+  // >>> student: search for blockers, estimate the penumbra, filter as wide as it is
+  if (coordinate.z > 1.0) return 1.0;
+  float at_near = max(receiver - light.near, 0.0) * light.width / (light.sun ? 1.0 : receiver);
+  float blocker = blocker_depth(light, coordinate, slope, at_near / map_width(light, light.near));
+  if (blocker < 0.0) return 1.0;
+  float width = penumbra_width(light, max(receiver, blocker), blocker) / map_width(light, receiver);
+  float sum = 0.0;
+  for (int i = 0; i < SAMPLES; ++i) {
+    vec2 offset = sample_point(i) * width;
+    sum += lit(coordinate + vec3(offset, dot(slope, offset)), light.layer);
+  }
+  return sum / float(SAMPLES);
+  // --- skeleton
+  // | return lit(coordinate, light.layer);
+  // <<< student
+}
+#endif
+
+// ---- All together
+
+float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light) {
+  // >>> student: bias by BIAS, coordinate, slope, then pcf or pcss
+  float resolution = float(textureSize(u_shadow_maps, 0).x);
+  float depth = dot(position - light.eye, light.direction);
+  float amount = u_bias * KERNEL * map_width(light, depth) / resolution;
+#if BIAS == 1
+  position = constant_bias(position, to_light, amount);
+#elif BIAS == 2
+  position = slope_bias(position, normal, to_light, -light.direction, amount);
+#elif BIAS == 3
+  position = normal_offset(position, normal, -light.direction, amount);
+#endif
+  vec3 coordinate = shadow_coordinate(light.world_to_map, position);
+#if BIAS != 0
+  coordinate.z -= u_depth_step;
+#endif
+  vec2 slope = vec2(0.0);
+#if BIAS == 4 || defined(PCSS)
+  slope = plane_slope(dFdx(coordinate), dFdy(coordinate));
+  coordinate.z -= u_bias * RESIDUAL * (abs(slope.x) + abs(slope.y)) / resolution;
+#endif
+#ifdef PCSS
+  return pcss(light, coordinate, slope, depth);
+#else
+  return pcf(coordinate, slope, light.layer);
+#endif
+  // --- skeleton
+  // | return 1.0;
+  // <<< student
+}
+
+vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m) {
+  vec3 sum = m.diffuse * u_ambient;
+  // >>> student: as step 02's shade, each light weakened by its visibility; ask for that before any branch
+  vec3 eye_difference = eye - position, to_light;
+  bool dark = dot(normal, normal) == 0.0 || dot(eye_difference, eye_difference) == 0.0;
+  vec3 n = dark ? vec3(0.0) : normalize(normal), to_eye = dark ? vec3(0.0) : normalize(eye_difference);
+#if POINT_LIGHTS > 0
+  for (int i = 0; i < POINT_LIGHTS; ++i) {
+    vec3 arriving = arriving_from_point(u_point_lights[i], position, to_light);
+    arriving *= visible_from_point(i, position, n, to_light);
+    sum += arriving * reflected(n, to_eye, to_light, m);
+  }
+#endif
+#if SPOT_LIGHTS > 0
+  for (int i = 0; i < SPOT_LIGHTS; ++i) {
+    vec3 arriving = arriving_from_spot(u_spot_lights[i], position, to_light);
+    arriving *= visible_from_spot(i, position, n, to_light);
+    sum += arriving * reflected(n, to_eye, to_light, m);
+  }
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
+    vec3 arriving = arriving_from_direction(u_directional_lights[i], position, to_light);
+    arriving *= visible_from_sun(i, position, n, to_light);
+    sum += arriving * reflected(n, to_eye, to_light, m);
+  }
+#endif
+  // --- skeleton
+  // <<< student
+  return sum;
+}

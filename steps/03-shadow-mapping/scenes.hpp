@@ -1,0 +1,15 @@
+// The scenes of step 03: each built so that one property of shadows can be seen in it. Given.
+#pragma once
+
+#include "case/settings.hpp"
+#include "scene/scene.hpp"
+
+namespace atelier {
+
+std::vector<std::string> shadow_scene_names();
+std::vector<SettingSpec> shadow_scene_settings();
+
+/// A scene as the settings that belong to it shape it. Throws Error for an unknown name.
+Scene make_shadow_scene(const std::string& name, const Settings& settings);
+
+}  // namespace atelier

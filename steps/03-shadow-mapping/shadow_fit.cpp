@@ -1,0 +1,117 @@
+#include "03-shadow-mapping/shadow_fit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace atelier {
+
+namespace {
+
+glm::dvec3 corner(const Box3& box, int i) {
+  return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
+}
+
+/// How far a point of clip space lies within the i-th of the six planes -w <= x, x <= w, ...; negative outside.
+double within(const glm::dvec4& clip, int i) {
+  return i % 2 == 0 ? clip.w + clip[i / 2] : clip.w - clip[i / 2];
+}
+
+/// The part of a convex polygon in clip space that lies within a plane (Sutherland and Hodgman, "Reentrant Polygon
+/// Clipping", 1974).
+std::vector<glm::dvec4> cut(const std::vector<glm::dvec4>& polygon, int plane) {
+  std::vector<glm::dvec4> left;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const glm::dvec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double at_a = within(a, plane), at_b = within(b, plane);
+    if (at_a >= 0) left.push_back(a);
+    if ((at_a >= 0) != (at_b >= 0)) left.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+  }
+  return left;
+}
+
+glm::dvec3 without_w(const glm::dvec4& p) {
+  return glm::dvec3(p) / p.w;
+}
+
+Box3 box_around(std::span<const glm::dvec3> points) {
+  Box3 box;
+  for (const glm::dvec3& point : points) box.add(point);
+  return box;
+}
+
+/// Columns: two directions square to a unit vector and to each other, and the vector.
+glm::dmat3 frame_around(const glm::dvec3& z) {
+  const glm::dvec3 other = std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 x = glm::normalize(glm::cross(other, z));
+  return {x, glm::cross(z, x), z};
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> corners_of(const NodePainter::Item& item) {
+  std::vector<glm::dvec3> corners;
+  for (int i = 0; i < 8; ++i)
+    corners.push_back(glm::dvec3(glm::dmat4(item.model) * glm::dvec4(corner(item.box, i), 1)));
+  return corners;
+}
+
+std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint) {
+  const glm::dmat4 world_to_clip = glm::dmat4(viewpoint.projection) * glm::dmat4(viewpoint.world_to_view);
+  const glm::dmat4 clip_to_world = glm::inverse(world_to_clip);
+  const std::vector<glm::dvec3> corners = corners_of(item);
+  // Six faces by their corners' numbers, in order around the face.
+  static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                      {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  std::vector<glm::dvec3> seen;
+  for (const auto& face : faces) {
+    std::vector<glm::dvec4> polygon;
+    for (const int i : face) polygon.push_back(world_to_clip * glm::dvec4(corners[std::size_t(i)], 1));
+    for (int plane = 0; plane < 6; ++plane) polygon = cut(polygon, plane);
+    for (const glm::dvec4& p : polygon) seen.push_back(without_w(clip_to_world * p));
+  }
+  // The view's own corners, where the box reaches around them.
+  const glm::dmat4 world_to_object = glm::inverse(glm::dmat4(item.model));
+  for (int i = 0; i < 8; ++i) {
+    const glm::dvec3 p = without_w(clip_to_world * glm::dvec4(corner({glm::dvec3(-1), glm::dvec3(1)}, i), 1));
+    const glm::dvec3 inside = glm::dvec3(world_to_object * glm::dvec4(p, 1));
+    if (glm::all(glm::greaterThanEqual(inside, item.box.low)) && glm::all(glm::lessThanEqual(inside, item.box.high)))
+      seen.push_back(p);
+  }
+  return seen;
+}
+
+std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points) {
+  if (points.empty()) return {};
+  const Box3 box = box_around(points);
+  const glm::dvec3 centre = (box.low + box.high) * 0.5;
+  double radius = 0;
+  for (const glm::dvec3& point : points) radius = std::max(radius, glm::distance(point, centre));
+  return shadow_mapping::Sphere{glm::vec3(centre), float(radius)};
+}
+
+std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& direction,
+                                                            std::span<const glm::dvec3> casters,
+                                                            std::span<const glm::dvec3> receivers) {
+  if (casters.empty() || receivers.empty()) return {};
+  const glm::dmat3 from_light = frame_around(glm::normalize(glm::dvec3(direction)));
+  const auto box_seen = [&](std::span<const glm::dvec3> points) {
+    Box3 box;
+    for (const glm::dvec3& point : points) box.add(point * from_light);  // the transpose: world to light
+    return box;
+  };
+  const Box3 above = box_seen(casters), below = box_seen(receivers);
+  Box3 both{glm::max(above.low, below.low), glm::min(above.high, below.high)};
+  both.low.z = above.low.z, both.high.z = below.high.z;
+  if (both.low.x > both.high.x || both.low.y > both.high.y || both.low.z > both.high.z) return {};
+  const glm::dvec3 size = both.high - both.low, middle = from_light * ((both.low + both.high) * 0.5);
+  shadow_mapping::LightFrustum frustum =
+      shadow_mapping::fit_sun(direction, {glm::vec3(middle), float(std::max(size.x, size.y) / 2)});
+  const float eye = glm::dot(frustum.eye, frustum.direction);
+  const float slack = 1e-4f * float(size.z) + 1e-6f;  // floats must not put the farthest receiver beyond the plane
+  frustum.near = float(both.low.z) - eye - slack;
+  frustum.far = float(both.high.z) - eye + slack;
+  return frustum;
+}
+
+}  // namespace atelier

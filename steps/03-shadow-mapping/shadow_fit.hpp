@@ -1,0 +1,30 @@
+// What a light's map must cover. Given.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "03-shadow-mapping/shadow_mapping.hpp"
+#include "render/feature.hpp"
+
+namespace atelier {
+
+/// The corners of an item's box, in world space.
+std::vector<glm::dvec3> corners_of(const NodePainter::Item& item);
+
+/// The corners of that part of an item's box which the camera sees: the box, cut by the six planes of the view. None
+/// where it is out of sight.
+std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint);
+
+/// A sphere around the middle of the points' bounding box that holds them all; none around no points.
+std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points);
+
+/// The box of a sun around what casters and receivers have in common, seen along its light: a shadow falls nowhere
+/// else. The student's fit_sun, with planes that run from the nearest caster to the farthest receiver. None where they
+/// have nothing in common.
+std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& direction,
+                                                            std::span<const glm::dvec3> casters,
+                                                            std::span<const glm::dvec3> receivers);
+
+}  // namespace atelier

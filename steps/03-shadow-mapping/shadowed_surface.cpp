@@ -1,0 +1,344 @@
+#include "03-shadow-mapping/shadowed_surface.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "03-shadow-mapping/shadow_fit.hpp"
+#include "render/cull.hpp"
+
+namespace atelier {
+
+using namespace shadow_mapping;
+
+std::vector<SettingSpec> shadow_settings() {
+  return {
+      {.name = "shadow.resolution", .fallback = 1024, .low = 1, .high = 8192, .help = "texels along a side of a map"},
+      {.name = "shadow.format",
+       .fallback = std::string("24"),
+       .choices = {"16", "24", "32f"},
+       .help = "how depth is stored in a map"},
+      {.name = "shadow.bias",
+       .fallback = std::string("normal"),
+       .choices = {"none", "constant", "slope", "normal", "plane", "front-faces"},
+       .help = "what keeps a surface from shading itself"},
+      {.name = "shadow.bias_size",
+       .fallback = 1.0,
+       .low = -16,
+       .high = 64,
+       .help = "how large the bias is: in texels, times the width of the filter"},
+      {.name = "shadow.filter",
+       .fallback = std::string("nearest"),
+       .choices = {"nearest", "bilinear"},
+       .help = "one comparison, or the mixed answers of the four nearest texels"},
+      {.name = "shadow.pcf", .fallback = 1, .low = 1, .high = 15, .help = "comparisons along a side of the filter"},
+      {.name = "shadow.soft",
+       .fallback = std::string("pcf"),
+       .choices = {"pcf", "pcss"},
+       .help = "a filter of one width, or one as wide as the half-shadow (which reads texels as they are)"},
+      {.name = "shadow.samples",
+       .fallback = 16,
+       .low = 1,
+       .high = 1024,
+       .help = "of pcss: texels that look for blockers, and comparisons; on a grid the next smaller square number"},
+      {.name = "shadow.pattern",
+       .fallback = std::string("grid"),
+       .choices = {"grid", "random"},
+       .help = "where the samples of pcss lie"},
+      {.name = "light.width",
+       .fallback = 0.0,
+       .low = 0,
+       .high = 10,
+       .help = "of the lights themselves: metres along a side, the tangent of a sun's angle; 0: points"},
+      {.name = "shadow.fit",
+       .fallback = std::string("scene"),
+       .choices = {"scene", "casters", "visible"},
+       .help = "what a map covers: all that casts or receives, what casts, or what of it matters to the picture"},
+      {.name = "shadow.update",
+       .fallback = std::string("when-moved"),
+       .choices = {"always", "when-moved"},
+       .help = "when maps are drawn: for every frame, or when what they show has changed"},
+      {.name = "shadow.light",
+       .fallback = 0,
+       .low = 0,
+       .high = 63,
+       .help =
+           "whose shadow the outputs shadow_map, shadow_coordinate and shadow_factor show: the scene's lights from 0"},
+  };
+}
+
+void ShadowedSurface::configure(const Settings& settings) {
+  resolution_ = settings.integer("shadow.resolution");
+  const std::string& format = settings.choice("shadow.format");
+  format_ = GLenum(format == "16"   ? GL_DEPTH_COMPONENT16
+                   : format == "24" ? GL_DEPTH_COMPONENT24
+                                    : GL_DEPTH_COMPONENT32F);
+  const std::string& bias = settings.choice("shadow.bias");
+  bias_ = bias == "none"       ? Bias::none
+          : bias == "constant" ? Bias::constant
+          : bias == "slope"    ? Bias::slope
+          : bias == "normal"   ? Bias::normal_offset
+          : bias == "plane"    ? Bias::plane
+                               : Bias::front_faces;
+  bias_size_ = float(settings.real("shadow.bias_size"));
+  pcss_ = settings.choice("shadow.soft") == "pcss";
+  bilinear_ = settings.choice("shadow.filter") == "bilinear" && !pcss_;
+  pcf_ = settings.integer("shadow.pcf");
+  random_ = settings.choice("shadow.pattern") == "random";
+  samples_ = settings.integer("shadow.samples");
+  if (!random_) samples_ = int(std::sqrt(samples_ + 0.5)) * int(std::sqrt(samples_ + 0.5));
+  light_width_ = settings.real("light.width");
+  const std::string& fit = settings.choice("shadow.fit");
+  fit_ = fit == "scene" ? Fit::scene : fit == "casters" ? Fit::casters : Fit::visible;
+  keep_ = settings.choice("shadow.update") == "when-moved";
+  shown_light_ = settings.integer("shadow.light");
+}
+
+void ShadowedSurface::prepare(Gl&, const Scene& scene) {
+  moved(scene);
+}
+
+void ShadowedSurface::moved(const Scene&) {
+  maps_.clear();
+}
+
+// ---- Which lights have a map, and of what
+
+namespace {
+
+bool casts(const Scene& scene, const NodePainter::Item& item) {
+  return scene.nodes[std::size_t(item.node)].casts_shadow;
+}
+bool receives(const Scene& scene, const NodePainter::Item& item) {
+  return scene.nodes[std::size_t(item.node)].receives_shadow;
+}
+
+void append(std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& more) {
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+/// The points that the fits are made from.
+struct Extents {
+  std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; what is seen of receivers
+};
+
+Extents extents_of(const Scene& scene, const Viewpoint& viewpoint, std::span<const NodePainter::Item> items) {
+  Extents found;
+  for (const NodePainter::Item& item : items) {
+    if (item.box.empty()) continue;
+    const std::vector<glm::dvec3> corners = corners_of(item);
+    if (casts(scene, item) || receives(scene, item)) append(found.all, corners);
+    if (casts(scene, item)) append(found.casters, corners);
+    if (receives(scene, item)) append(found.seen, visible_corners(item, viewpoint));
+  }
+  return found;
+}
+
+float radians_across(const Sphere& sphere, const glm::vec3& from) {
+  const float distance = glm::distance(sphere.centre, from);
+  return distance > sphere.radius ? std::asin(sphere.radius / distance) : 4.0f;
+}
+
+/// Of the points, along the frustum's direction from its eye; negative behind it.
+float nearest_depth(std::span<const glm::dvec3> points, const LightFrustum& frustum) {
+  double nearest = frustum.far;
+  for (const glm::dvec3& point : points)
+    nearest = std::min(nearest, glm::dot(point - glm::dvec3(frustum.eye), glm::dvec3(frustum.direction)));
+  return float(nearest);
+}
+
+}  // namespace
+
+std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& scene, int light,
+                                                                const Viewpoint& viewpoint,
+                                                                const NodePainter& painter) const {
+  const Light& source = scene.lights[std::size_t(light)];
+  if (!source.casts_shadow) return {};
+  const Extents extents = extents_of(scene, viewpoint, painter.items());
+  std::optional<Sphere> sphere = sphere_around(fit_ == Fit::scene ? extents.all : extents.casters);
+  if (!sphere) return {};
+  Mapped map{.light = light};
+  if (source.type == LightType::directional) {
+    map.frustum = fit_sun(source.direction, *sphere);
+    if (fit_ == Fit::visible) {
+      const auto tight = fit_sun_to_both(source.direction, extents.casters, extents.seen);
+      if (!tight) return {};
+      map.frustum = snap_to_texels(*tight, resolution_);
+    }
+  } else {
+    const glm::vec3 position(source.position - viewpoint.origin);
+    if (fit_ == Fit::visible) {
+      const auto seen = sphere_around(extents.seen);
+      if (!seen) return {};
+      if (radians_across(*seen, position) < radians_across(*sphere, position)) sphere = seen;
+    }
+    map.frustum = fit_spot(position, source.direction, source.outer_angle, *sphere);
+    // Only casters are drawn: the near plane may be as far as the first of them, which saves digits of every depth.
+    const float first = 0.99f * nearest_depth(extents.casters, map.frustum);
+    map.frustum.near = glm::clamp(first, map.frustum.near, 0.99f * map.frustum.far);
+  }
+  map.view = light_view(map.frustum);
+  map.projection = light_projection(map.frustum);
+  // What stands before the near plane casts its shadow too: only the other five planes can put a caster out of reach.
+  LightFrustum deep = map.frustum;
+  deep.near = deep.orthographic ? std::min(deep.near, nearest_depth(extents.casters, deep)) : deep.far / 1e5f;
+  const glm::mat4 reach = light_projection(deep);
+  for (int i = 0; i < int(painter.items().size()); ++i) {
+    const NodePainter::Item& item = painter.items()[std::size_t(i)];
+    if (casts(scene, item) && !outside_view(reach, map.view, item.model, item.box)) map.casters.push_back(i);
+  }
+  if (map.casters.empty()) return {};
+  return map;
+}
+
+void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
+  std::vector<Mapped> found;
+  for (const std::vector<int>* lights : {&lit_.spots(), &lit_.suns()})
+    for (const int light : *lights)
+      if (auto map = map_for(scene, light, viewpoint, painter)) found.push_back(std::move(*map));
+  for (std::size_t i = 0; i < found.size() && i < maps_.size(); ++i)
+    found[i].drawn = maps_[i].drawn && found[i].light == maps_[i].light && found[i].view == maps_[i].view &&
+                     found[i].projection == maps_[i].projection && found[i].casters == maps_[i].casters;
+  maps_ = std::move(found);
+}
+
+// ---- Drawing them
+
+void ShadowedSurface::make_room(Gl& gl) {
+  const Room needed{resolution_, int(maps_.size()), format_, bilinear_};
+  if (room_ == needed) return;
+  names_ = make_shadow_maps(gl, resolution_, int(maps_.size()), format_, bilinear_);
+  texture_ = GlTexture(gl, names_.texture);
+  framebuffer_ = GlFramebuffer(gl, names_.framebuffer);
+  check_gl_error(
+      gl, fmt::format("make_shadow_maps: {} layers of {}x{} texels", maps_.size(), resolution_, resolution_).c_str());
+  room_ = needed;
+  for (Mapped& map : maps_) map.drawn = false;
+}
+
+void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter) {
+  Mapped& map = maps_[std::size_t(layer)];
+  begin_depth_pass(gl, names_, layer, bias_ == Bias::front_faces);
+  static const PassSources pass{.name = "depth pass",
+                                .vertex =
+                                    "uniform mat4 u_light_view, u_light_projection;\n"
+                                    "#include \"03-shadow-mapping/depth_pass.glsl\"\n"
+                                    "void main() { gl_Position = depth_pass_position(a_position); }\n",
+                                .fragment = "void main() {}\n"};
+  painter.paint(pass, map.casters, [&](Binder& binder) {
+    binder.set("u_light_view", map.view);
+    binder.set("u_light_projection", map.projection);
+  });
+  check_gl_error(gl, "drawing a shadow map");
+  map.drawn = true;
+}
+
+void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
+  if (maps_.empty() || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative)
+    find_maps(scene, viewpoint, painter);
+  if (maps_.empty()) return;
+  make_room(gl);
+  if (!texture_ || !framebuffer_) return;  // make_shadow_maps is not written yet
+  for (int layer = 0; layer < int(maps_.size()); ++layer)
+    if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter);
+}
+
+bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
+  if (view.output != "shadow_map") return false;
+  const int layer = map_of(shown_light_);
+  if (layer < 0 || !texture_) return true;  // black: this light has no map
+  if (!showing_) {
+    const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
+    const auto stage = [&](const char* text) { return assemble_shader_text(no_includes, text, "shadow map", {}); };
+    showing_ = build_program(
+        gl,
+        stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
+        stage("uniform sampler2DArray u_map; uniform int u_layer; uniform vec2 u_size; out vec4 o;\n"
+              "void main() { o = vec4(texture(u_map, vec3(gl_FragCoord.xy / u_size, u_layer)).rrr, 1.0); }"));
+  }
+  gl.Disable(GL_DEPTH_TEST);
+  gl.Disable(GL_CULL_FACE);
+  gl.UseProgram(showing_.id());
+  Uniforms uniforms(gl, showing_.id());
+  Binder binder(gl, uniforms);
+  binder.texture("u_map", texture_.id(), GL_TEXTURE_2D_ARRAY);
+  binder.set("u_layer", layer);
+  binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
+  // A texture that compares cannot be read as it is.
+  gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
+  const GlVertexArray none(gl);
+  gl.BindVertexArray(none.id());
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.BindVertexArray(0);
+  if (bilinear_) gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+  gl.Enable(GL_DEPTH_TEST);
+  return true;
+}
+
+// ---- Looking them up
+
+int ShadowedSurface::map_of(int light) const {
+  for (std::size_t i = 0; i < maps_.size(); ++i)
+    if (maps_[i].light == light) return int(i);
+  return -1;
+}
+
+Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
+  const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
+  if (!shown && (maps_.empty() || !texture_ || !node.receives_shadow)) return {};
+  Need need{.wanted = true};
+  Defines& d = need.structure;
+  d["SHADOW_LIGHTS"] = std::to_string(texture_ && node.receives_shadow ? maps_.size() : 0);
+  d["BIAS"] = std::to_string(bias_ == Bias::front_faces ? 0 : int(bias_));
+  d["PCF"] = std::to_string(pcf_);
+  if (bilinear_) d["COMPARE"] = "1";
+  if (pcss_) d["PCSS"] = "1", d["SAMPLES"] = std::to_string(samples_);
+  if (pcss_ && random_) d["RANDOM"] = "1";
+  return need;
+}
+
+std::map<Slot, SlotCode> ShadowedSurface::slots() const {
+  const std::string file = "03-shadow-mapping/shadowed_surface.glsl";
+  return {{Slot::shade, {file, "shade_shadowed_surface"}},
+          {Slot::visible_from_spot, {file, "spot_visibility"}},
+          {Slot::visible_from_sun, {file, "sun_visibility"}}};
+}
+
+std::map<std::string, std::string> ShadowedSurface::outputs() const {
+  return {{"shadow_factor", "shown_shadow_factor(surface)"}, {"shadow_coordinate", "shown_shadow_coordinate(surface)"}};
+}
+
+void ShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
+  for (std::size_t i = 0; i < maps_.size(); ++i) {
+    const LightFrustum& frustum = maps_[i].frustum;
+    const std::string name = fmt::format("u_shadow_lights[{}].", i);
+    binder.set(name + "world_to_map", bias_matrix() * maps_[i].projection * maps_[i].view);
+    binder.set(name + "eye", frustum.eye);
+    binder.set(name + "direction", frustum.direction);
+    binder.set(name + "half_width", frustum.orthographic ? frustum.extent : std::tan(frustum.extent));
+    binder.set(name + "near", frustum.near);
+    binder.set(name + "far", frustum.far);
+    binder.set(name + "width", float(light_width_));
+    binder.set(name + "sun", int(frustum.orthographic));
+    binder.set(name + "layer", int(i));
+  }
+  binder.set("u_bias", bias_size_);
+  // The products of matrices err by some ten units in the last place of a float near 1, whatever the format.
+  binder.set("u_depth_step", 1e-6f + (format_ == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
+  if (texture_) binder.texture("u_shadow_maps", texture_.id(), GL_TEXTURE_2D_ARRAY);
+  for (std::size_t i = 0; i < lit_.spots().size(); ++i)
+    binder.set(fmt::format("u_spot_maps[{}]", i), map_of(lit_.spots()[i]));
+  for (std::size_t i = 0; i < lit_.suns().size(); ++i)
+    binder.set(fmt::format("u_sun_maps[{}]", i), map_of(lit_.suns()[i]));
+
+  binder.set("u_shown_map", map_of(shown_light_));
+  if (shown_light_ < int(scene.lights.size())) {
+    const Light& light = scene.lights[std::size_t(shown_light_)];
+    const bool sun = light.type == LightType::directional;
+    binder.set("u_shown_position", glm::vec3(light.position - viewpoint.origin));
+    binder.set("u_shown_direction", sun ? -glm::normalize(light.direction) : glm::vec3(0));
+  }
+}
+
+}  // namespace atelier

@@ -1,0 +1,69 @@
+// Shadow maps, as a feature of the renderer: which lights get one, what it is fitted to, and when it is drawn. Given.
+#pragma once
+
+#include "02-blinn-phong/lit_surface.hpp"
+#include "03-shadow-mapping/shadow_mapping.hpp"
+#include "render/feature.hpp"
+
+namespace atelier {
+
+/// The settings of this step that belong to shadows (not to the scene).
+std::vector<SettingSpec> shadow_settings();
+
+class ShadowedSurface : public Feature {
+ public:
+  /// `lit` says which lights shine, under which numbers; it must outlive this.
+  explicit ShadowedSurface(const LitSurface& lit) : lit_(lit) {}
+
+  void configure(const Settings& settings) override;
+  void prepare(Gl& gl, const Scene& scene) override;
+  void moved(const Scene& scene) override;
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) override;
+  bool draw_instead(Gl& gl, const View& view, const Target& target) override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  std::map<std::string, std::string> outputs() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+
+ private:
+  enum class Bias { none, constant, slope, normal_offset, plane, front_faces };
+  enum class Fit { scene, casters, visible };
+  /// A light with a map.
+  struct Mapped {
+    int light = 0;  ///< index into Scene::lights
+    shadow_mapping::LightFrustum frustum;
+    glm::mat4 view{1.0f}, projection{1.0f};
+    std::vector<int> casters;  ///< items of the painter that stand in it
+    bool drawn = false;        ///< whether the layer holds what these casters look like from there
+  };
+
+  void find_maps(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
+  std::optional<Mapped> map_for(const Scene& scene, int light, const Viewpoint& viewpoint,
+                                const NodePainter& painter) const;
+  void make_room(Gl& gl);
+  void draw_map(Gl& gl, int layer, NodePainter& painter);
+  int map_of(int light) const;
+
+  const LitSurface& lit_;
+  int resolution_ = 1024, pcf_ = 1, samples_ = 16, shown_light_ = 0;
+  GLenum format_ = GL_DEPTH_COMPONENT24;
+  Bias bias_ = Bias::normal_offset;
+  Fit fit_ = Fit::scene;
+  float bias_size_ = 1;
+  double light_width_ = 0;
+  bool bilinear_ = false, pcss_ = false, random_ = false, keep_ = true;
+
+  std::vector<Mapped> maps_;  ///< layer by layer
+  shadow_mapping::ShadowMaps names_;
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
+  struct Room {
+    int resolution = 0, layers = 0;
+    GLenum format = 0;
+    bool compare = false;
+    bool operator==(const Room&) const = default;
+  } room_;             ///< what `texture_` was made as
+  GlProgram showing_;  ///< draws a map as a picture
+};
+
+}  // namespace atelier
