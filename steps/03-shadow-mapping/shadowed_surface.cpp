@@ -166,6 +166,13 @@ std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& sce
       if (!tight) return {};
       map.frustum = snap_to_texels(*tight, resolution_);
     }
+  } else if (source.type == LightType::point) {
+    std::vector<NodePainter::Item> casters;
+    for (const NodePainter::Item& item : painter.items())
+      if (casts(scene, item) && !item.box.empty()) casters.push_back(item);
+    const auto frustum = fit_point(source, glm::vec3(source.position - viewpoint.origin), casters);
+    if (!frustum) return {};
+    map.frustum = *frustum;
   } else {
     const glm::vec3 position(source.position - viewpoint.origin);
     if (fit_ == Fit::visible) {
@@ -194,7 +201,7 @@ std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& sce
 
 void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
   std::vector<Mapped> found;
-  for (const std::vector<int>* lights : {&lit_.spots(), &lit_.suns()})
+  for (const std::vector<int>* lights : {&lit_.spots(), &lit_.suns(), &lit_.points()})
     for (const int light : *lights)
       if (auto map = map_for(scene, light, viewpoint, painter)) found.push_back(std::move(*map));
   for (std::size_t i = 0; i < found.size() && i < maps_.size(); ++i)
@@ -284,18 +291,21 @@ int ShadowedSurface::map_of(int light) const {
   return -1;
 }
 
-Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
-  const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
-  if (!shown && (maps_.empty() || !texture_ || !node.receives_shadow)) return {};
-  Need need{.wanted = true};
-  Defines& d = need.structure;
-  d["SHADOW_LIGHTS"] = std::to_string(texture_ && node.receives_shadow ? maps_.size() : 0);
+Defines ShadowedSurface::structure(bool receives) const {
+  Defines d;
+  d["SHADOW_LIGHTS"] = std::to_string(texture_ && receives ? maps_.size() : 0);
   d["BIAS"] = std::to_string(bias_ == Bias::front_faces ? 0 : int(bias_));
   d["PCF"] = std::to_string(pcf_);
   if (bilinear_) d["COMPARE"] = "1";
   if (pcss_) d["PCSS"] = "1", d["SAMPLES"] = std::to_string(samples_);
   if (pcss_ && random_) d["RANDOM"] = "1";
-  return need;
+  return d;
+}
+
+Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
+  const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
+  if (!shown && (maps_.empty() || !texture_ || !node.receives_shadow)) return {};
+  return {.wanted = true, .structure = structure(node.receives_shadow)};
 }
 
 std::map<Slot, SlotCode> ShadowedSurface::slots() const {
@@ -331,6 +341,8 @@ void ShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpo
     binder.set(fmt::format("u_spot_maps[{}]", i), map_of(lit_.spots()[i]));
   for (std::size_t i = 0; i < lit_.suns().size(); ++i)
     binder.set(fmt::format("u_sun_maps[{}]", i), map_of(lit_.suns()[i]));
+  for (std::size_t i = 0; i < lit_.points().size(); ++i)
+    binder.set(fmt::format("u_point_maps[{}]", i), map_of(lit_.points()[i]));
 
   binder.set("u_shown_map", map_of(shown_light_));
   if (shown_light_ < int(scene.lights.size())) {

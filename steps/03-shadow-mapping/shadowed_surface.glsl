@@ -10,6 +10,10 @@ uniform int u_spot_maps[SPOT_LIGHTS];
 uniform int u_sun_maps[DIRECTIONAL_LIGHTS];
 #endif
 
+#if POINT_LIGHTS > 0
+uniform int u_point_maps[POINT_LIGHTS];  // of lamps whose casters fit one map: step 04
+#endif
+
 float factor_of_map(int map, vec3 position, vec3 normal, vec3 to_light) {
 #if SHADOW_LIGHTS > 0
   if (map >= 0) return shadow_factor(u_shadow_lights[map], position, normal, to_light);
@@ -28,6 +32,14 @@ float spot_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 float sun_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if DIRECTIONAL_LIGHTS > 0
   return factor_of_map(u_sun_maps[light], position, normal, to_light);
+#else
+  return 1.0;
+#endif
+}
+
+float point_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_light) {
+#if POINT_LIGHTS > 0
+  return factor_of_map(u_point_maps[light], position, normal, to_light);
 #else
   return 1.0;
 #endif

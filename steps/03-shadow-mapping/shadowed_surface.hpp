@@ -25,6 +25,24 @@ class ShadowedSurface : public Feature {
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
 
+ protected:
+  // What a later step that has other maps beside these builds on.
+
+  /// The frustum in which a point light's casters fit, where there is one: then a map serves it too.
+  virtual std::optional<shadow_mapping::LightFrustum> fit_point(const Light&, const glm::vec3& /*position*/,
+                                                                std::span<const NodePainter::Item> /*casters*/) const {
+    return {};
+  }
+  /// What shaders that look shadows up must know: filter, bias, how many maps. For surfaces that receive shadows.
+  Defines structure(bool receives) const;
+  bool has_map(int light) const { return map_of(light) >= 0; }  ///< a light of the scene, after draw_before
+  const LitSurface& lit() const { return lit_; }
+  GLenum format() const { return format_; }
+  bool compares() const { return bilinear_; }
+  bool culls_front_faces() const { return bias_ == Bias::front_faces; }
+  bool keeps_maps() const { return keep_; }
+  int shown_light() const { return shown_light_; }
+
  private:
   enum class Bias { none, constant, slope, normal_offset, plane, front_faces };
   enum class Fit { scene, casters, visible };

@@ -1,0 +1,65 @@
+// Cubes of shadow maps, as a feature of the renderer, beside step 03's maps: which lamps get one, and when it is drawn.
+// Given.
+#pragma once
+
+#include "03-shadow-mapping/shadowed_surface.hpp"
+#include "04-point-shadows/point_shadows.hpp"
+
+namespace atelier {
+
+/// The settings of this step that belong to cubes. Format, filter, bias and update are step 03's settings.
+std::vector<SettingSpec> cube_settings();
+
+class PointShadowedSurface : public ShadowedSurface {
+ public:
+  using ShadowedSurface::ShadowedSurface;
+
+  void configure(const Settings& settings) override;
+  void moved(const Scene& scene) override;
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) override;
+  bool draw_instead(Gl& gl, const View& view, const Target& target) override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  std::map<std::string, std::string> outputs() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+
+ protected:
+  std::optional<shadow_mapping::LightFrustum> fit_point(const Light& light, const glm::vec3& position,
+                                                        std::span<const NodePainter::Item> casters) const override;
+
+ private:
+  static constexpr int most_cubes = 4;  ///< as cubes.glsl has it
+  /// A lamp with a cube.
+  struct Cubed {
+    int light = 0;             ///< index into Scene::lights
+    glm::vec3 position{0};     ///< in the space that shaders call world
+    float near = 0, far = 1;   ///< metres: of the faces' projections; far is what the stored distances are shares of
+    std::vector<int> casters;  ///< items of the painter
+    std::array<std::vector<int>, 6> seen;  ///< of these, those that each face sees
+    bool drawn = false;
+  };
+  /// The objects of a cube, kept from frame to frame.
+  struct Room {
+    point_shadows::CubeMap names;
+    GlTexture texture;
+    GlFramebuffer framebuffer;
+    GLenum format = 0;
+    bool compare = false;
+  };
+
+  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
+                                const NodePainter& painter) const;
+  void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
+  bool make_room(Gl& gl, std::size_t cube);
+  void draw_cube(Gl& gl, std::size_t cube, NodePainter& painter);
+  int cube_of(int light) const;
+
+  int resolution_ = 1024;
+  bool layered_ = true, cones_ = true, every_face_ = false;
+  std::vector<Cubed> cubes_;
+  bool found_ = false;  ///< whether cubes_ is right for scene and settings
+  std::vector<Room> rooms_;
+  GlProgram showing_;  ///< draws a cube's six faces side by side
+};
+
+}  // namespace atelier

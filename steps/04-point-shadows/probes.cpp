@@ -1,0 +1,213 @@
+#include "04-point-shadows/probes.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "04-point-shadows/point_shadows.hpp"
+
+namespace atelier {
+
+namespace {
+
+using namespace point_shadows;
+
+/// The student's GLSL with one cube; `defines` choose the variant.
+std::string glsl(int bias, int pcf, bool compare) {
+  return fmt::format(
+      "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n"
+      "#define CUBES 1\n#define BIAS {}\n#define PCF {}\n{}"
+      "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"04-point-shadows/point_shadows.glsl\"\n",
+      bias, pcf, compare ? "#define COMPARE 1\n" : "");
+}
+
+const std::string light_of_arguments = "CubeLight(light_position, far, 0)";
+
+/// A cube of 8 x 8 texels a face that holds 0.25 in its face +x, 0.5 in -x, 0.75 in +y, and 1 in the others, but for
+/// the half of +z that lies towards +x, which is 0.25. Bound to texture unit 0 as long as it lives.
+class TestCube {
+ public:
+  TestCube(Gl& gl, bool compare) : gl_(gl), texture_(gl) {
+    constexpr int side = 8;
+    constexpr std::array<float, 6> depths{0.25f, 0.5f, 0.75f, 1, 1, 1};
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture_.id());
+    for (int face = 0; face < 6; ++face) {
+      std::array<float, side * side> texels;
+      for (int i = 0; i < side * side; ++i)
+        texels[std::size_t(i)] = face == 4 && i % side >= side / 2 ? 0.25f : depths[std::size_t(face)];
+      gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT32F, side, side, 0,
+                    GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
+    }
+    const GLint filter = compare ? GL_LINEAR : GL_NEAREST;
+    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+      gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, filter);
+    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+      gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, GL_CLAMP_TO_EDGE);
+    if (compare) gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
+    gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  }
+  ~TestCube() { gl_.BindTexture(GL_TEXTURE_CUBE_MAP, 0); }
+  TestCube(const TestCube&) = delete;
+  TestCube& operator=(const TestCube&) = delete;
+
+ private:
+  Gl& gl_;
+  GlTexture texture_;
+};
+
+/// A probe of a GLSL expression that reads the test cube.
+Probe cube_probe(int bias, int pcf, bool compare, const std::string& expression) {
+  return
+      [=, probe = shader_probe(glsl(bias, pcf, compare), expression, 1)](ProbeContext& context, const Arguments& in) {
+        const TestCube cube(context.gl, compare);
+        return probe(context, in);
+      };
+}
+
+Numbers numbers_of(const glm::mat4& m) {
+  Numbers out;
+  for (int column = 0; column < 4; ++column)
+    for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
+  return out;
+}
+
+GLint integer_of(Gl& gl, GLenum name) {
+  GLint value = 0;
+  gl.GetIntegerv(name, &value);
+  return value;
+}
+
+/// Filters, wraps, compare mode and function of the cube, edge and format of face -z; whether the framebuffer is
+/// complete, layered, without colour, and whether filters reach across edges.
+Numbers probe_make_cube_map(ProbeContext& context, const Arguments& in) {
+  Gl& gl = context.gl;
+  const std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
+  gl.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
+  const CubeMap cube = make_cube_map(gl, in.integer("resolution"), formats.at(std::size_t(in.integer("format"))),
+                                     in.number("compare") > 0.5);
+  const GlTexture texture(gl, cube.texture);
+  const GlFramebuffer framebuffer(gl, cube.framebuffer);
+  if (!texture || !framebuffer) return Numbers(14, 0);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture);
+  Numbers out;
+  for (const GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+                            GL_TEXTURE_WRAP_R, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}) {
+    GLint value = 0;
+    gl.GetTexParameteriv(GL_TEXTURE_CUBE_MAP, name, &value);
+    out.push_back(value);
+  }
+  for (const GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}) {
+    GLint value = 0;
+    gl.GetTexLevelParameteriv(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, 0, name, &value);
+    out.push_back(value);
+  }
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, cube.framebuffer);
+  out.push_back(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
+  GLint layered = 0;
+  gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_FRAMEBUFFER_ATTACHMENT_LAYERED,
+                                         &layered);
+  out.push_back(layered);
+  out.push_back(integer_of(gl, GL_DRAW_BUFFER));
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  out.push_back(gl.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS));
+  return out;
+}
+
+/// What the pass has set, on a cube made by given code and after everything was set otherwise: viewport, depth test,
+/// function, writing and clamping, culling and its face; then what the six faces hold, which was 0.5.
+Numbers probe_begin_cube_pass(ProbeContext& context, const Arguments& in) {
+  Gl& gl = context.gl;
+  constexpr int side = 4;
+  const GlTexture texture(gl);
+  const GlFramebuffer framebuffer(gl);
+  std::array<float, side * side> depths{};
+  depths.fill(0.5f);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+  for (int face = 0; face < 6; ++face)
+    gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT32F, side, side, 0,
+                  GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, GL_NEAREST);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  gl.DrawBuffer(GL_NONE);
+  gl.ReadBuffer(GL_NONE);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl.Viewport(1, 1, 2, 2);
+  gl.Disable(GL_DEPTH_TEST);
+  gl.DepthFunc(GL_GREATER);
+  gl.DepthMask(GL_FALSE);
+  gl.Disable(GL_DEPTH_CLAMP);
+  gl.Enable(GL_CULL_FACE);
+  gl.CullFace(GL_BACK);
+  gl.ClearDepth(0.25);
+
+  begin_cube_pass(gl, {texture.id(), framebuffer.id(), side}, in.integer("face"), in.number("cull_front") > 0.5);
+
+  std::array<GLint, 4> viewport{};
+  gl.GetIntegerv(GL_VIEWPORT, viewport.data());
+  Numbers out(viewport.begin(), viewport.end());
+  out.push_back(gl.IsEnabled(GL_DEPTH_TEST));
+  out.push_back(integer_of(gl, GL_DEPTH_FUNC));
+  out.push_back(integer_of(gl, GL_DEPTH_WRITEMASK));
+  out.push_back(gl.IsEnabled(GL_DEPTH_CLAMP));
+  out.push_back(gl.IsEnabled(GL_CULL_FACE));
+  out.push_back(gl.IsEnabled(GL_CULL_FACE) ? integer_of(gl, GL_CULL_FACE_MODE) : 0);
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
+  for (int face = 0; face < 6; ++face) {
+    gl.GetTexImage(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+    out.push_back(depths[5]);
+  }
+  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+
+  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);  // what the next probe expects
+  gl.DepthMask(GL_TRUE);
+  gl.DepthFunc(GL_LESS);
+  gl.CullFace(GL_BACK);
+  gl.Disable(GL_DEPTH_CLAMP);
+  return out;
+}
+
+/// The cone around spheres that are given as x y z radius, one after another: 1, axis and half-angle, or zeros.
+Numbers probe_cone_around(ProbeContext&, const Arguments& in) {
+  std::vector<Sphere> spheres;
+  const std::vector<double>& n = in.numbers("spheres");
+  for (std::size_t i = 0; i + 3 < n.size(); i += 4)
+    spheres.push_back({{float(n[i]), float(n[i + 1]), float(n[i + 2])}, float(n[i + 3])});
+  const auto cone = cone_around(glm::vec3(in.vec3("position")), spheres, float(in.number("widest")));
+  if (!cone) return Numbers(5, 0);
+  return {1, cone->axis.x, cone->axis.y, cone->axis.z, cone->half_angle};
+}
+
+}  // namespace
+
+std::map<std::string, Probe> point_shadow_probes() {
+  const std::string pass = "#define FRAGMENT\n#include \"04-point-shadows/cube_pass.glsl\"\n";
+  std::map<std::string, Probe> probes = {
+      {"make_cube_map", probe_make_cube_map},
+      {"begin_cube_pass", probe_begin_cube_pass},
+      {"face_view",
+       [](ProbeContext&, const Arguments& in) {
+         return numbers_of(face_view(glm::vec3(in.vec3("position")), in.integer("face")));
+       }},
+      {"face_projection",
+       [](ProbeContext&, const Arguments& in) {
+         return numbers_of(face_projection(float(in.number("near")), float(in.number("far"))));
+       }},
+      {"cone_around", probe_cone_around},
+      {"stored_distance", shader_probe(pass, "vec4(stored_distance(position, light_position, far))", 1)},
+      {"cube_texel", shader_probe(glsl(0, 1, false), "vec4(cube_texel(from_light, resolution))", 1)},
+      {"cube_lit", cube_probe(0, 1, false, "vec4(cube_lit(0, from_light, reference))")},
+      {"cube_lit_bilinear", cube_probe(0, 1, true, "vec4(cube_lit(0, from_light, reference))")},
+      {"cube_pcf", cube_probe(0, 3, false, "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))")},
+      {"cube_pcf_even", cube_probe(0, 2, false, "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))")},
+  };
+  for (int bias = 0; bias <= 3; ++bias)
+    probes[fmt::format("point_shadow_factor_{}", bias)] =
+        cube_probe(bias, 1, false, "vec4(point_shadow_factor(" + light_of_arguments + ", position, normal, to_light))");
+  return probes;
+}
+
+}  // namespace atelier
