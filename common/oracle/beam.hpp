@@ -22,17 +22,19 @@ struct Window {
 /// The part of a window from `low` to `high`, metres along right and up from its middle.
 class Beam {
  public:
-  /// `gap`: rays may run so many metres beside where the window says, and start at least so far off surfaces.
-  Beam(const glm::dvec3& apex, const Window& window, const glm::dvec2& low, const glm::dvec2& high, double gap);
+  /// The ends of rays may lie up to 2 `bend` beside where the window says, in its unit.
+  Beam(const glm::dvec3& apex, const Window& window, const glm::dvec2& low, const glm::dvec2& high, double bend);
 
   /// Whether no ray of the beam meets the box. May say false where none does, never true where one does.
   bool misses(const Box3& box) const;
-  /// The same for anything within the convex hull of these points,
-  bool misses(std::span<const glm::dvec3> points) const;
-  /// and for anything in the plane through `point` along both sides: the beam stays in front of it, or behind.
-  bool misses_plane(const glm::dvec3& point, const glm::dvec3& side, const glm::dvec3& other_side) const;
+  /// The same of a flat convex face with these corners, 3 or more in their order around it.
+  bool misses(std::span<const glm::dvec3> corners) const;
 
  private:
+  bool all_outside_one_half_space(std::span<const glm::dvec3> corners) const;
+  bool stays_on_one_side(std::span<const glm::dvec3> corners) const;
+  bool passes_an_edge(std::span<const glm::dvec3> corners) const;
+
   /// What lies in the beam has dot(normal, position - apex) <= most.
   struct HalfSpace {
     glm::dvec3 normal{0};  ///< of unit length, or zero: everything lies in it
@@ -42,7 +44,7 @@ class Beam {
   glm::dvec3 apex_;
   std::array<glm::dvec3, 4> ends_;  ///< from the apex
   bool endless_;
-  double gap_, reach_;
+  double bend_, reach_ = 0;               ///< reach: of the farthest end
   std::array<HalfSpace, 6> half_spaces_;  ///< left, right, below, above, behind the apex, beyond the end
 };
 

@@ -15,6 +15,7 @@ namespace atelier::oracle {
 namespace {
 
 constexpr int most_samples = 256;
+constexpr double off_surface = 1e-12;  ///< of the lengths at hand: a thousand roundings
 
 double largest_component(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -29,13 +30,13 @@ struct Cells {
 /// The rays from one point to one light.
 class ShadowRays {
  public:
-  ShadowRays(const SurfacePoint& point, const Light& light, const Shading& shading);
+  ShadowRays(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading);
 
   bool at_light() const { return window_.middle == glm::dvec3(0) && !window_.endless; }
   int samples() const { return samples_; }
   /// To the middle of a cell of the grid.
   Ray to(const glm::ivec2& cell) const;
-  Beam beam(const Cells& cells) const { return {apex_, from_apex_, aside(cells.first), aside(cells.last), gap_}; }
+  Beam beam(const Cells& cells) const { return {apex_, from_apex_, aside(cells.first), aside(cells.last), level_}; }
 
  private:
   /// From the light's centre, along right and up.
@@ -46,11 +47,12 @@ class ShadowRays {
   glm::dvec3 apex_, normal_;  ///< where the rays start; of the surface, on the light's side
   Window window_;             ///< as seen from the point,
   Window from_apex_;          ///< and from where the rays start
-  double width_ = 0, gap_ = 0;
+  double width_ = 0;
+  double gap_ = 0, level_ = 0;  ///< metres; what climbs less from the surface runs along it
   int samples_ = 1;
 };
 
-ShadowRays::ShadowRays(const SurfacePoint& point, const Light& light, const Shading& shading) {
+ShadowRays::ShadowRays(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading) {
   const glm::dvec3 direction(light.direction), up(0, 1, 0);
   window_.endless = light.type == LightType::directional;
   window_.middle = window_.endless ? -glm::normalize(direction) : light.position - point.position;
@@ -59,9 +61,11 @@ ShadowRays::ShadowRays(const SurfacePoint& point, const Light& light, const Shad
     width_ = shading.light_width;
     samples_ = shading.light_samples;
   }
-  // The point itself is known to a few parts in 1e16 of its coordinates: start a little off the surface, on the side
-  // that the light is on, so that a surface does not shade itself.
-  gap_ = 1e-11 * (largest_component(point.position) + (window_.endless ? 1 : glm::length(window_.middle)));
+  // The point itself, and whatever a ray meets, is known to some parts in 1e16 of the largest coordinates at hand:
+  // start a little off the surface, on the side that the light is on, so that a surface does not shade itself.
+  const double distance = window_.endless ? 0 : glm::length(window_.middle);
+  gap_ = off_surface * (std::max(world.reach(), largest_component(point.position)) + distance);
+  level_ = window_.endless ? off_surface : gap_;
   normal_ = glm::dot(point.flat_normal, window_.middle) < 0 ? -point.flat_normal : point.flat_normal;
   apex_ = point.position + gap_ * normal_;
   from_apex_ = window_;
@@ -74,10 +78,10 @@ Ray ShadowRays::to(const glm::ivec2& cell) const {
   // A ray along the surface stays as far off it as it starts: on the way down it would meet the surface by rounding.
   const double climb = glm::dot(normal_, way);
   if (window_.endless) {
-    if (std::abs(climb) < gap_) way -= climb * normal_;
+    if (std::abs(climb) < level_) way -= climb * normal_;
     return {apex_, way};
   }
-  if (std::abs(climb) < gap_) way += (gap_ - climb) * normal_;
+  if (std::abs(climb) < level_) way += (gap_ - climb) * normal_;
   way -= gap_ * normal_;
   const double length = glm::length(way);
   return {apex_, way, 0, length > gap_ ? 1 - gap_ / length : 0};  // a surface that touches the light does not hide it
@@ -163,7 +167,7 @@ void validate(const Shading& shading) {
 double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading) {
   validate(shading);
   if (shading.shadows == Shadows::none || !light.casts_shadow || !point.receives_shadow) return 1;
-  const ShadowRays rays(point, light, shading);
+  const ShadowRays rays(world, point, light, shading);
   if (rays.at_light()) return 1;
   const int n = rays.samples();
   if (n == 1) return world.blocked(rays.to({0, 0})) ? 0 : 1;

@@ -98,6 +98,9 @@ void World::grow_tree() {
     for (const glm::dvec3& corner : corners_of(triangle)) box.add(corner);
   }
   for (const PlacedShape& placed : shapes_) boxes.push_back(placed.box);
+  for (const Box3& box : boxes)
+    for (const glm::dvec3& far : {glm::abs(box.low), glm::abs(box.high)})
+      reach_ = std::max({reach_, far.x, far.y, far.z});
   tree_ = Bvh(boxes);
 }
 
@@ -166,17 +169,16 @@ std::vector<std::uint32_t> World::casters_in(const Beam& beam) const {
 }
 
 bool World::may_meet(const Beam& beam, std::uint32_t thing) const {
-  if (thing < triangles_.size()) {
-    const auto corners = corners_of(triangles_[thing]);
-    return !beam.misses(corners) && !beam.misses_plane(corners[0], corners[1] - corners[0], corners[2] - corners[0]);
-  }
+  if (thing < triangles_.size()) return !beam.misses(corners_of(triangles_[thing]));
   const PlacedShape& placed = shapes_[thing - triangles_.size()];
-  if (beam.misses(placed.box)) return false;
   const auto* flat = std::get_if<Rectangle>(&placed.shape.surface);
-  const auto in_world = [&](const glm::dvec3& v, double w) {
-    return glm::dvec3(placed.shape.object_to_world * glm::dvec4(v, w));
-  };
-  return !flat || !beam.misses_plane(in_world(flat->centre, 1), in_world(flat->half_u, 0), in_world(flat->half_v, 0));
+  if (!flat) return !beam.misses(placed.box);
+  std::array<glm::dvec3, 4> corners;
+  const double along_u[] = {-1, 1, 1, -1}, along_v[] = {-1, -1, 1, 1};
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = glm::dvec3(placed.shape.object_to_world *
+                            glm::dvec4(flat->centre + along_u[i] * flat->half_u + along_v[i] * flat->half_v, 1));
+  return !beam.misses(corners);
 }
 
 bool World::meets(const ShearedRay& ray, std::uint32_t thing) const {

@@ -57,6 +57,8 @@ class World {
   /// and convex.
   bool fills_between(std::uint32_t thing) const;
 
+  /// The largest |coordinate| of anything in it, metres; 0 where there is nothing.
+  double reach() const { return reach_; }
   std::size_t triangle_count() const { return triangles_.size(); }
   const Bvh& tree() const { return tree_; }
 
@@ -90,6 +92,7 @@ class World {
   std::vector<Corner> corners_;
   std::vector<Triangle> triangles_;
   std::vector<PlacedShape> shapes_;
+  double reach_ = 0;
   Bvh tree_;  ///< over the triangles, then the shapes
 };
 
