@@ -30,18 +30,17 @@ void bench_oracle(int repeats, std::vector<Figure>& figures) {
   const Scene scene = make_builtin_scene("teapot");
   const oracle::World world(scene);
   const int side = 512;
-  const auto traced = [&](const char* name, oracle::Output output, bool shadows, const char* unit) {
+  const auto traced = [&](const char* name, oracle::Output output, oracle::Shadows shadows, const char* unit) {
     Figure figure = measure(name, "", repeats, [&] {
-      oracle::trace(
-          world,
-          {.camera = scene.camera, .size = {side, side}, .output = output, .shading = {.hard_shadows = shadows}});
+      oracle::trace(world,
+                    {.camera = scene.camera, .size = {side, side}, .output = output, .shading = {.shadows = shadows}});
     });
     figure.detail = fmt::format("teapot scene of {} triangles, {}x{}: {:.1f} million {} a second",
                                 world.triangle_count(), side, side, 1e-6 * side * side / figure.seconds, unit);
     figures.push_back(figure);
   };
-  traced("oracle, what is seen", oracle::Output::thing, false, "rays");
-  traced("oracle, with hard shadows", oracle::Output::colour, true, "pixels");
+  traced("oracle, what is seen", oracle::Output::thing, oracle::Shadows::none, "rays");
+  traced("oracle, with hard shadows", oracle::Output::colour, oracle::Shadows::hard, "pixels");
 }
 
 }  // namespace

@@ -82,6 +82,14 @@ double median_displacement(const Image& picture, const Image& truth) {
   return *middle;
 }
 
+/// The share of pixels of which `is` says so, told both red channels.
+template <class Is>
+double share_of(const Image& picture, const Image& truth, Is is) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < truth.pixels().size(); ++i) count += is(picture.pixels()[i].r, truth.pixels()[i].r);
+  return double(count) / double(truth.pixels().size());
+}
+
 double mean_of(const Image& image) {
   double sum = 0;
   for (const Rgba& p : image.pixels()) sum += double(p.r) + p.g + p.b;
@@ -104,6 +112,12 @@ std::string to_string(ErrorMetric metric) {
       return "degrees";
     case ErrorMetric::displacement:
       return "displacement";
+    case ErrorMetric::acne:
+      return "acne";
+    case ErrorMetric::leak:
+      return "leak";
+    case ErrorMetric::wrong:
+      return "wrong";
     case ErrorMetric::mean:
       return "mean";
   }
@@ -124,6 +138,12 @@ double error_of(const Image& picture, const Image& truth, ErrorMetric metric, En
       return share_misclassified(picture, truth, encoding);
     case ErrorMetric::displacement:
       return median_displacement(picture, truth);
+    case ErrorMetric::acne:
+      return share_of(picture, truth, [](float seen, float is) { return seen < is - 0.5f; });
+    case ErrorMetric::leak:
+      return share_of(picture, truth, [](float seen, float is) { return seen > is + 0.5f; });
+    case ErrorMetric::wrong:
+      return share_of(picture, truth, [](float seen, float is) { return (seen >= 0.5f) != (is >= 0.5f); });
     case ErrorMetric::distance:
       return root_of_mean(picture, truth, [](const auto& a, const auto& b) { return squared_length(a - b); });
     case ErrorMetric::degrees:

@@ -17,8 +17,8 @@ namespace {
 using strict_json::Json;
 
 /// Those that need nothing but a picture and its truth.
-constexpr std::array metrics{ErrorMetric::rmse, ErrorMetric::flip, ErrorMetric::misclassified, ErrorMetric::distance,
-                             ErrorMetric::degrees};
+constexpr std::array metrics{ErrorMetric::rmse,     ErrorMetric::flip,    ErrorMetric::misclassified,
+                             ErrorMetric::distance, ErrorMetric::degrees, ErrorMetric::wrong};
 
 ErrorMetric metric_named(const Json& value, const std::string& where) {
   std::vector<std::string> names;
@@ -47,6 +47,8 @@ std::string error_words(ErrorMetric metric, double error) {
       return fmt::format("The distance from the truth is {:.3g} m", error);
     case ErrorMetric::degrees:
       return fmt::format("The angle to the truth is {:.3g} degrees", error);
+    case ErrorMetric::wrong:
+      return fmt::format("The share of pixels that are lit for dark, or dark for lit, is {:.3g}", error);
     default:
       return fmt::format("The root mean square error is {:.3g}", error);
   }

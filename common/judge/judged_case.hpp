@@ -38,7 +38,8 @@
 //                  own tests (tests/steps/truth.cpp), the judge does nothing with it
 //     "choice"     makes it a budget case (judge/choice.hpp): the student chooses settings in choices.txt, and earns by
 //                  the error against the truth: {"settings": [names], "at_most": {count: most}, "error": "rmse",
-//                  "flip", "misclassified", "distance" or "degrees", "full": error, "none": error}; needs a reason
+//                  "flip", "misclassified", "distance", "degrees" or "wrong", "full": error, "none": error}; needs a
+//                  reason
 //     "references" accepted pictures beside the case file: ["NAME.exr"]
 //
 //   Of a probe

@@ -28,6 +28,10 @@ class Bvh {
   template <class Meet>
   void traverse(const Ray& ray, const double& most, Meet&& meet) const;
 
+  /// Calls meet(i) for each thing in boxes of the tree of which misses(box) does not say that they need no look.
+  template <class Misses, class Meet>
+  void visit(Misses&& misses, Meet&& meet) const;
+
   bool empty() const { return nodes_.empty(); }
   int depth() const { return depth_; }  ///< levels of boxes; 0 where there is nothing
 
@@ -94,6 +98,25 @@ void Bvh::traverse(const Ray& ray, const double& most, Meet&& meet) const {
       const bool swapped = slopes.backwards[node.axis];
       waiting[count++] = swapped ? index + 1 : node.second;
       waiting[count++] = swapped ? node.second : index + 1;
+    }
+  }
+}
+
+template <class Misses, class Meet>
+void Bvh::visit(Misses&& misses, Meet&& meet) const {
+  if (nodes_.empty()) return;
+  std::uint32_t waiting[deepest];
+  int count = 0;
+  waiting[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t index = waiting[--count];
+    const Node& node = nodes_[index];
+    if (misses(node.box)) continue;
+    if (node.leaf()) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i) meet(order_[i]);
+    } else {
+      waiting[count++] = node.second;
+      waiting[count++] = index + 1;
     }
   }
 }

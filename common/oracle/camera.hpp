@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include "oracle/frame.hpp"
 #include "oracle/ray.hpp"
 #include "scene/scene.hpp"
 
@@ -11,9 +12,7 @@ namespace atelier::oracle {
 class CameraRays {
  public:
   /// Of a picture of `size` pixels, which shows camera.fov_y (or camera.height) from bottom to top, and as much from
-  /// side to side as its shape has it. Where `up` is parallel to the way the camera looks, the first of the axes x, y,
-  /// z with the smallest |component| of that direction stands in, as the contract of step 01 has it; where eye and
-  /// target are one, it looks along -z.
+  /// side to side as its shape has it. Right and up are those of view_frame(target - eye, up).
   CameraRays(const Camera& camera, const glm::ivec2& size);
 
   /// The ray through a point of the picture, in pixels from its upper left corner: (x + 0.5, y + 0.5) is the middle of
@@ -30,8 +29,9 @@ class CameraRays {
 
  private:
   bool orthographic_;
-  glm::dvec3 eye_, right_, up_, ahead_;  ///< of unit length
-  glm::dvec2 size_, half_;               ///< pixels; what is seen to the right and above: metres, or tangents of angles
+  glm::dvec3 eye_;
+  ViewFrame frame_;
+  glm::dvec2 size_, half_;  ///< pixels; what is seen to the right and above: metres, or tangents of angles
   double near_, far_;
 };
 

@@ -10,15 +10,19 @@
 // The parts, in the order in which a picture is made; each stands in a file of its own:
 //
 //   ray.hpp          a ray and the stretch of it that counts
+//   frame.hpp        which way is right and which is up for who looks along a direction
 //   camera.hpp       which ray belongs to which point of the picture, and how deep a point lies
 //   triangle.hpp     ray and triangle, without gaps between neighbours
 //   shape.hpp        ray and sphere, cylinder wall, rectangle: shapes that triangles only approximate
 //   bvh.hpp          a tree of boxes, so that a ray meets few of many
+//   beam.hpp         a pyramid of rays, and what it certainly misses
 //   world.hpp        a scene made ready: everything in world space; what a ray sees, what blocks a light
 //   texture.hpp      the colour of a texture at a point
 //   light.hpp        the light that arrives
 //   blinn_phong.hpp  the light that leaves, and how much of it there is in all
-//   shade.hpp        both together: the colour of a point of a surface
+//   shading.hpp      what is asked for: which part of the light, which shadows
+//   shadow.hpp       how much of a light a point sees
+//   shade.hpp        all of it together: the colour of a point of a surface
 //   picture.hpp      many rays: a whole picture on all processors
 //
 // There are no mipmaps and there is no filter beyond the box of n x n samples a pixel: supersampling *is* the truth
@@ -26,7 +30,7 @@
 // meaning here; those that change what is asked for (which light shines, which normalisation) do.
 //
 // Where later steps come in:
-//   area lights            light.hpp: `arriving` for a point on the light; shade.hpp sums it over a dense grid
+//   shadow factors         shading.hpp: a SurfaceColour that says what `visibility` does of one light
 //   normal maps            shade.hpp: the normal is replaced after World::seen has found the point, before it is lit
 //   height fields          shape.hpp: one more member of `Surface`, a bilinear patch a cell (a quadratic in t)
 //   portals                picture.hpp: what a ray sees may be a frame; the ray is carried through and traced again
@@ -34,13 +38,17 @@
 //   quadrature             blinn_phong.hpp: `albedo` shows the way
 #pragma once
 
+#include "oracle/beam.hpp"
 #include "oracle/blinn_phong.hpp"
 #include "oracle/bvh.hpp"
 #include "oracle/camera.hpp"
+#include "oracle/frame.hpp"
 #include "oracle/light.hpp"
 #include "oracle/picture.hpp"
 #include "oracle/ray.hpp"
 #include "oracle/shade.hpp"
+#include "oracle/shading.hpp"
+#include "oracle/shadow.hpp"
 #include "oracle/shape.hpp"
 #include "oracle/texture.hpp"
 #include "oracle/triangle.hpp"

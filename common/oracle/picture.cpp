@@ -108,6 +108,7 @@ Output output_named(const std::string& name) {
 Image trace(const World& world, const PictureRequest& request) {
   if (request.samples < 1 || request.samples > 64)
     throw Error(fmt::format("{} x {} samples a pixel (allowed: 1 x 1 to 64 x 64)", request.samples, request.samples));
+  validate(request.shading);
   Image image(request.size.x, request.size.y);
   const CameraRays camera(request.camera, request.size);
   Rows rows(request.size.y);

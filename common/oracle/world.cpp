@@ -85,7 +85,8 @@ void World::place_shapes(std::vector<Shape> shapes) {
         if (!std::isfinite(inverse[column][row]))
           throw Error(fmt::format("scene '{}': shape {}: its matrix cannot be inverted", scene_.name, shapes_.size()));
     const glm::dmat3 normal_matrix = normal_matrix_exact(shape.object_to_world);
-    shapes_.push_back({std::move(shape), inverse, normal_matrix});
+    const Box3 box = oracle::bounds(shape);
+    shapes_.push_back({std::move(shape), inverse, normal_matrix, box});
   }
 }
 
@@ -94,9 +95,12 @@ void World::grow_tree() {
   boxes.reserve(triangles_.size() + shapes_.size());
   for (const Triangle& triangle : triangles_) {
     Box3& box = boxes.emplace_back();
-    for (const std::uint32_t corner : triangle.corners) box.add(corners_[corner].position);
+    for (const glm::dvec3& corner : corners_of(triangle)) box.add(corner);
   }
-  for (const PlacedShape& placed : shapes_) boxes.push_back(bounds(placed.shape));
+  for (const PlacedShape& placed : shapes_) boxes.push_back(placed.box);
+  for (const Box3& box : boxes)
+    for (const glm::dvec3& far : {glm::abs(box.low), glm::abs(box.high)})
+      reach_ = std::max({reach_, far.x, far.y, far.z});
   tree_ = Bvh(boxes);
 }
 
@@ -124,8 +128,8 @@ std::optional<SurfacePoint> World::seen(const Ray& ray) const {
   tree_.traverse(ray, found.t, [&](std::uint32_t index) {
     if (index < triangles_.size()) {
       const Triangle& triangle = triangles_[index];
-      const auto hit = intersect(sheared, corners_[triangle.corners[0]].position,
-                                 corners_[triangle.corners[1]].position, corners_[triangle.corners[2]].position);
+      const auto [a, b, c] = corners_of(triangle);
+      const auto hit = intersect(sheared, a, b, c);
       if (!hit || !found.nearer(hit->t, index)) return false;
       const Node& node = scene_.nodes[std::size_t(triangle.node)];
       if (!hit->front && !scene_.materials[std::size_t(node.material)].two_sided) return false;
@@ -150,19 +154,55 @@ std::optional<SurfacePoint> World::seen(const Ray& ray) const {
 bool World::blocked(const Ray& ray) const {
   const ShearedRay sheared(ray);
   bool blocked = false;
-  tree_.traverse(ray, ray.most, [&](std::uint32_t index) {
-    if (index < triangles_.size()) {
-      const Triangle& triangle = triangles_[index];
-      blocked = scene_.nodes[std::size_t(triangle.node)].casts_shadow &&
-                intersect(sheared, corners_[triangle.corners[0]].position, corners_[triangle.corners[1]].position,
-                          corners_[triangle.corners[2]].position);
-    } else {
-      const PlacedShape& placed = shapes_[index - triangles_.size()];
-      blocked = placed.shape.casts_shadow && intersect(placed.shape.surface, ray_in_object_space(placed, ray), false);
-    }
-    return blocked;
-  });
+  tree_.traverse(ray, ray.most,
+                 [&](std::uint32_t thing) { return blocked = casts_shadow(thing) && meets(sheared, thing); });
   return blocked;
+}
+
+std::vector<std::uint32_t> World::casters_in(const Beam& beam) const {
+  std::vector<std::uint32_t> found;
+  tree_.visit([&](const Box3& box) { return beam.misses(box); },
+              [&](std::uint32_t thing) {
+                if (casts_shadow(thing) && may_meet(beam, thing)) found.push_back(thing);
+              });
+  return found;
+}
+
+bool World::may_meet(const Beam& beam, std::uint32_t thing) const {
+  if (thing < triangles_.size()) return !beam.misses(corners_of(triangles_[thing]));
+  const PlacedShape& placed = shapes_[thing - triangles_.size()];
+  const auto* flat = std::get_if<Rectangle>(&placed.shape.surface);
+  if (!flat) return !beam.misses(placed.box);
+  std::array<glm::dvec3, 4> corners;
+  const double along_u[] = {-1, 1, 1, -1}, along_v[] = {-1, -1, 1, 1};
+  for (std::size_t i = 0; i < 4; ++i)
+    corners[i] = glm::dvec3(placed.shape.object_to_world *
+                            glm::dvec4(flat->centre + along_u[i] * flat->half_u + along_v[i] * flat->half_v, 1));
+  return !beam.misses(corners);
+}
+
+bool World::meets(const ShearedRay& ray, std::uint32_t thing) const {
+  if (thing < triangles_.size()) {
+    const auto [a, b, c] = corners_of(triangles_[thing]);
+    return intersect(ray, a, b, c).has_value();
+  }
+  const PlacedShape& placed = shapes_[thing - triangles_.size()];
+  return intersect(placed.shape.surface, ray_in_object_space(placed, ray.ray()), false).has_value();
+}
+
+bool World::fills_between(std::uint32_t thing) const {
+  return thing < triangles_.size() ||
+         std::holds_alternative<Rectangle>(shapes_[thing - triangles_.size()].shape.surface);
+}
+
+bool World::casts_shadow(std::uint32_t thing) const {
+  return thing < triangles_.size() ? scene_.nodes[std::size_t(triangles_[thing].node)].casts_shadow
+                                   : shapes_[thing - triangles_.size()].shape.casts_shadow;
+}
+
+std::array<glm::dvec3, 3> World::corners_of(const Triangle& triangle) const {
+  return {corners_[triangle.corners[0]].position, corners_[triangle.corners[1]].position,
+          corners_[triangle.corners[2]].position};
 }
 
 SurfacePoint World::point_on_triangle(const Triangle& triangle, const TriangleHit& hit) const {

@@ -1,9 +1,11 @@
 // A scene made ready for rays: every triangle and every shape in world space, in one tree of boxes.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
+#include "oracle/beam.hpp"
 #include "oracle/bvh.hpp"
 #include "oracle/shape.hpp"
 #include "oracle/triangle.hpp"
@@ -42,6 +44,21 @@ class World {
   /// Whether anything that casts shadows meets the ray's stretch, whichever way it faces.
   bool blocked(const Ray& ray) const;
 
+  // For many rays that go nearly the same way: first what any of them may meet, then ray by ray. A thing is a triangle
+  // or a shape, by its index: those of the triangles come first.
+
+  /// The things that cast shadows and that a ray of the beam may meet: all that any does, and few others.
+  std::vector<std::uint32_t> casters_in(const Beam& beam) const;
+  /// Whether a ray of the beam may meet the thing; false only where none does.
+  bool may_meet(const Beam& beam, std::uint32_t thing) const;
+  /// Whether the thing meets the ray's stretch, whichever way it faces.
+  bool meets(const ShearedRay& ray, std::uint32_t thing) const;
+  /// Whether a ray between others from the same point that the thing meets is met by it, too: true of all that is flat
+  /// and convex.
+  bool fills_between(std::uint32_t thing) const;
+
+  /// The largest |coordinate| of anything in it, metres; 0 where there is nothing.
+  double reach() const { return reach_; }
   std::size_t triangle_count() const { return triangles_.size(); }
   const Bvh& tree() const { return tree_; }
 
@@ -58,12 +75,15 @@ class World {
     Shape shape;
     glm::dmat4 world_to_object;
     glm::dmat3 normal_matrix;
+    Box3 box;  ///< around it, world space
   };
   struct Found;
 
   void place_nodes();
   void place_shapes(std::vector<Shape> shapes);
   void grow_tree();
+  bool casts_shadow(std::uint32_t thing) const;
+  std::array<glm::dvec3, 3> corners_of(const Triangle& triangle) const;
   Ray ray_in_object_space(const PlacedShape& placed, const Ray& ray) const;
   SurfacePoint point_on_triangle(const Triangle& triangle, const TriangleHit& hit) const;
   SurfacePoint point_on_shape(std::size_t index, const ShapeHit& hit, const Ray& ray) const;
@@ -72,6 +92,7 @@ class World {
   std::vector<Corner> corners_;
   std::vector<Triangle> triangles_;
   std::vector<PlacedShape> shapes_;
+  double reach_ = 0;
   Bvh tree_;  ///< over the triangles, then the shapes
 };
 

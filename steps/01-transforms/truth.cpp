@@ -10,12 +10,12 @@ namespace atelier {
 namespace {
 
 /// preview.glsl in double precision.
-glm::dvec3 preview(const Scene& scene, const oracle::SurfacePoint& point, const glm::dvec3& eye) {
+glm::dvec3 preview(const oracle::World& world, const oracle::SurfacePoint& point, const glm::dvec3& eye) {
   const glm::dvec2 cell = glm::floor(point.texcoord * 8.0);
   const double sum = cell.x + cell.y, checker = sum - 2 * std::floor(sum / 2) < 0.5 ? 1 : 0.72;
   const glm::dvec3 to_eye = eye - point.position;
   const double facing = to_eye == glm::dvec3(0) ? 0 : glm::dot(point.normal, glm::normalize(to_eye));
-  return glm::dvec3(scene.materials[std::size_t(point.material)].diffuse) *
+  return glm::dvec3(world.scene().materials[std::size_t(point.material)].diffuse) *
          (checker * (0.15 + 0.85 * std::max(facing, 0.0)));
 }
 
@@ -43,7 +43,7 @@ SceneTruth triangle_in_clip_space(const TruthRequest& request) {
   truth.scene.nodes = {{.name = "triangle", .mesh = 0}};
   truth.scene.camera = {
       .eye = {0, 0, 1}, .target = {0, 0, 0}, .projection = Projection::orthographic, .height = 2, .near = 0, .far = 2};
-  truth.shading.surface = [](const Scene&, const oracle::SurfacePoint&, const glm::dvec3&) {
+  truth.shading.surface = [](const oracle::World&, const oracle::SurfacePoint&, const glm::dvec3&) {
     return glm::dvec3(triangle_colour);
   };
   return truth;

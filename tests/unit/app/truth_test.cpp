@@ -23,7 +23,7 @@ class TrueStep : public SceneProgram {
               SceneTruth truth{.scene = test::fake_scene(request.scene, settings)};
               truth.scene.nodes.clear();
               truth.shapes = {{.surface = oracle::Sphere{1}}};
-              truth.shading.surface = [](const Scene&, const oracle::SurfacePoint&, const glm::dvec3&) {
+              truth.shading.surface = [](const oracle::World&, const oracle::SurfacePoint&, const glm::dvec3&) {
                 return glm::dvec3(0.75);
               };
               return truth;

@@ -24,6 +24,14 @@ Image ramp(double shift) {
   return image;
 }
 
+/// Rows that are lit, but for those from `first` to just before `last`, which are in shadow.
+Image factors(int first, int last) {
+  Image image = filled({1, 1, 1, 1});
+  for (int y = first; y < last; ++y)
+    for (int x = 0; x < image.width(); ++x) image.at(x, y) = {0, 0, 0, 1};
+  return image;
+}
+
 Image direction(double degrees) {
   const double angle = degrees * 3.14159265358979 / 180;
   return filled({float(std::sin(angle) / 2 + 0.5), 0.5f, float(std::cos(angle) / 2 + 0.5), 1});
@@ -52,6 +60,15 @@ TEST_CASE("known distances") {
       {"a small angle keeps its digits", direction(0.01), direction(0), ErrorMetric::degrees, 0.01, 1e-5},
       {"moved by a third of a pixel", ramp(1.0 / 3), ramp(0), ErrorMetric::displacement, 1.0 / 3, 1e-4},
       {"nothing to tell a movement by", filled({0.7f, 0, 0, 1}), grey, ErrorMetric::displacement, 0, 0},
+      {"a third is in shadow that ought to be lit", factors(0, 8), factors(4, 8), ErrorMetric::acne, 4.0 / 12, 0},
+      {"and no light leaks there", factors(0, 8), factors(4, 8), ErrorMetric::leak, 0, 0},
+      {"light leaks", factors(4, 8), factors(4, 11), ErrorMetric::leak, 3.0 / 12, 0},
+      {"and nothing is too dark", factors(4, 8), factors(4, 11), ErrorMetric::acne, 0, 0},
+      {"of zeros and ones, both together", factors(1, 7), factors(3, 12), ErrorMetric::wrong, 7.0 / 12, 0},
+      {"wrong by half is neither", grey, filled({0, 0, 0, 1}), ErrorMetric::leak, 0, 0},
+      {"a half counts as lit", grey, filled({1, 0, 0, 1}), ErrorMetric::wrong, 0, 0},
+      {"just off the other side", filled({0.499f, 0, 0, 1}), grey, ErrorMetric::wrong, 1, 0},
+      {"only red counts", filled({1, 0, 0, 1}), filled({1, 1, 1, 1}), ErrorMetric::wrong, 0, 0},
       {"the mean of a picture", filled({0, 0.5f, 1, 1}), Image(), ErrorMetric::mean, 0.5, of_floats},
       {"equal pictures: FLIP", stain, stain, ErrorMetric::flip, 0, 0},
       {"opacity is not looked at", filled({0.5f, 0.5f, 0.5f, 0}), grey, ErrorMetric::rmse, 0, 0},

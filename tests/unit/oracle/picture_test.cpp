@@ -7,6 +7,7 @@ namespace atelier::test {
 namespace {
 
 using oracle::Output;
+using oracle::Shadows;
 using oracle::trace;
 using oracle::World;
 
@@ -113,8 +114,9 @@ TEST_CASE("a sphere's hard shadow is a disc", "[picture]") {
   const double rim = height * radius / std::sqrt((height - middle) * (height - middle) - radius * radius);
   const auto dark_beyond_ball = [&](const oracle::Shape& caster, const oracle::Shape& floor, bool on) {
     const Image image =
-        trace(World(scene, {floor, caster}),
-              {.camera = map_camera(float(metres)), .size = {pixels, pixels}, .shading = {.hard_shadows = on}});
+        trace(World(scene, {floor, caster}), {.camera = map_camera(float(metres)),
+                                              .size = {pixels, pixels},
+                                              .shading = {.shadows = on ? Shadows::hard : Shadows::none}});
     int wrong = 0, dark = 0;
     for (int y = 0; y < pixels; ++y)
       for (int x = 0; x < pixels; ++x) {
@@ -147,10 +149,10 @@ TEST_CASE("no lit surface shades itself", "[picture]") {
                     {.type = LightType::directional, .direction = {-1, -0.01f, -0.3f}}};
     scene.camera = {.eye = {offset + 2, 2, 2}, .target = {offset, 0, 0}};
     const World world(scene);
-    const auto picture = [&](bool shadows) {
-      return trace(world, {.camera = scene.camera, .size = {96, 96}, .shading = {.hard_shadows = shadows}});
+    const auto picture = [&](Shadows shadows) {
+      return trace(world, {.camera = scene.camera, .size = {96, 96}, .shading = {.shadows = shadows}});
     };
-    CHECK(picture(true) == picture(false));
+    CHECK(picture(Shadows::hard) == picture(Shadows::none));
   }
 }
 
@@ -160,7 +162,7 @@ TEST_CASE("the picture depends neither on the number of threads nor on where the
     return trace(World(traced), {.camera = traced.camera,
                                  .size = {96, 64},
                                  .output = output,
-                                 .shading = {.hard_shadows = true},
+                                 .shading = {.shadows = Shadows::hard},
                                  .position_origin = traced.camera.eye,
                                  .threads = threads});
   };
@@ -239,7 +241,7 @@ TEST_CASE("what is out of range is refused, and what is thrown comes back", "[pi
   for (const int threads : {1, 4})
     CHECK(with([&](auto& r) {
             r.threads = threads;
-            r.shading.surface = [](const Scene&, const oracle::SurfacePoint&, const glm::dvec3&) -> glm::dvec3 {
+            r.shading.surface = [](const World&, const oracle::SurfacePoint&, const glm::dvec3&) -> glm::dvec3 {
               throw Error("no such colour");
             };
           }) == "no such colour");
