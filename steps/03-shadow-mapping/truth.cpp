@@ -8,7 +8,7 @@ namespace atelier {
 SceneTruth shadow_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   if (!model) model = make_shadow_scene(request.scene, settings);
   SceneTruth truth = blinn_phong_truth(request, settings, std::move(model));
-  truth.shading.hard_shadows = true;
+  truth.shading.shadows = oracle::Shadows::hard;
   return truth;
 }
 
