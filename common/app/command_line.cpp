@@ -38,6 +38,16 @@ Setting parse_setting(const std::string& text, const std::vector<Setting>& earli
   return setting;
 }
 
+SettingRange parse_range(const std::string& text, const std::vector<Setting>& settings) {
+  const auto equals = text.find('='), dots = equals == text.npos ? equals : text.find("..", equals);
+  if (equals == 0 || dots == text.npos || dots == equals + 1 || dots + 2 == text.size())
+    throw Error("--vary " + text + ": write NAME=FROM..TO");
+  const SettingRange range{text.substr(0, equals), text.substr(equals + 1, dots - equals - 1), text.substr(dots + 2)};
+  for (const auto& [name, value] : settings)
+    if (name == range.name) throw Error("--vary " + text + ": --set gives it the value " + value + " already");
+  return range;
+}
+
 Implementations parse_implementations(const std::string& text) {
   Implementations implementations = Implementations::parse(text);
   if (implementations.roots().empty()) throw Error("--implementations " + text + ": it names no folder");
@@ -49,7 +59,7 @@ Implementations parse_implementations(const std::string& text) {
 std::optional<CommandLine> parse_command_line(int count, char** arguments, const std::string& step) {
   CommandLine line;
   line.picture.name = "frame";
-  std::string size, context, implementations, eye, target;
+  std::string size, context, implementations, eye, target, vary;
   std::vector<std::string> settings;
 
   CLI::App app{"Step " + step + " of Atelier. Without --out, --record, --cases or --list it opens a window."};
@@ -63,10 +73,12 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   CLI::Option* const out =
       option(what, "--out", line.out, "Draw one picture into this file (.png .exr .bmp .gif); with --cases: a folder");
   CLI::Option* const record =
-      option(what, "--record", line.record, "Draw a turn round the scene: .gif, or numbered .png / .bmp / .exr files");
+      option(what, "--record", line.record,
+             "Draw a turn round the scene, or what --vary says: .gif, or numbered .png / .bmp / .exr files");
   CLI::Option* const frames = option(what, "--frames", line.frames, "Pictures of a recording")
                                   ->check(CLI::Range(1, 10000))
                                   ->capture_default_str();
+  CLI::Option* const varied = option(what, "--vary", vary, "NAME=FROM..TO: of a recording, a setting that changes");
   CLI::Option* const cases =
       option(what, "--cases", line.cases, "Answer every case in this file; what the judge calls");
   CLI::Option* const truth =
@@ -96,6 +108,7 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
 
   // What would change nothing is refused rather than passed over.
   frames->needs(record);
+  varied->needs(record);
   repeat->needs(stats);
   repeat->excludes(record);
   progress->needs(cases);
@@ -129,6 +142,7 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   if (!context.empty()) line.context = parse_context_kind(context);
   if (!implementations.empty()) line.implementations = parse_implementations(implementations);
   for (const std::string& text : settings) line.settings.push_back(parse_setting(text, line.settings));
+  if (!vary.empty()) line.vary = parse_range(vary, line.settings);
   if (line.json && !line.list && (!line.stats || !line.cases.empty()))
     throw Error("--json: what is printed for programs is --list, or the --stats of a picture; add one of them");
   if (line.stats && line.out.empty() && line.record.empty())

@@ -12,6 +12,11 @@
 
 namespace atelier {
 
+/// --vary NAME=FROM..TO, still as text.
+struct SettingRange {
+  std::string name, from, to;
+};
+
 struct CommandLine {
   bool list = false, json = false, stats = false;
   std::optional<ContextKind> context;
@@ -22,7 +27,8 @@ struct CommandLine {
   std::filesystem::path out;                                  ///< --out: a picture file; with --cases: a folder
   std::filesystem::path record;  ///< --record: .gif, or a .png, .bmp or .exr whose frames are numbered
   int frames = 48;
-  int repeat = 0;  ///< --repeat: how often a picture is drawn by the clock; 0: once, without one
+  std::optional<SettingRange> vary;  ///< --vary: of a recording, what changes in place of the camera
+  int repeat = 0;                    ///< --repeat: how often a picture is drawn by the clock; 0: once, without one
 
   bool truth = false;  ///< --truth: the oracle's pictures instead of OpenGL's
   int samples = 1;     ///< --samples: n x n a pixel of the truth

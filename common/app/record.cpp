@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <glm/gtc/constants.hpp>
 
 #include "base/error.hpp"
@@ -32,24 +33,50 @@ void check_recording(const std::filesystem::path& file) {
                   file.string(), extension));
 }
 
-void record_turn(Painter& painter, const Camera& start, const Case& picture, Encoding encoding,
-                 const std::filesystem::path& file, int frames) {
+Change turn_of_camera(const Camera& start) {
+  return [start](Case& picture, double share) { picture.camera.eye = turned(start, glm::two_pi<double>() * share); };
+}
+
+VariedSetting varied_setting(const std::vector<SettingSpec>& specs, const std::string& name, const std::string& from,
+                             const std::string& to) {
+  const std::string asked = fmt::format("--vary {}={}..{}", name, from, to);
+  Settings settings(specs);
+  const bool whole = std::holds_alternative<int>(settings.value(name));
+  if (!whole && !std::holds_alternative<double>(settings.value(name)))
+    throw Error(asked + ": it has no numbers to run through; --set it, and vary another");
+  const auto read = [&](const std::string& text) {
+    settings.set(name, text);
+    return settings.value(name);
+  };
+  VariedSetting varied{.name = name, .from = read(from), .to = read(to)};
+  if (varied.from == varied.to) throw Error(asked + ": both ends are the same; --set it, or give another end");
+  return varied;
+}
+
+Change change_of_setting(const VariedSetting& varied) {
+  return [varied](Case& picture, double share) {
+    if (const int* from = std::get_if<int>(&varied.from))
+      picture.settings[varied.name] = int(std::lround(std::lerp(*from, std::get<int>(varied.to), share)));
+    else
+      picture.settings[varied.name] = std::lerp(std::get<double>(varied.from), std::get<double>(varied.to), share);
+  };
+}
+
+void record(Painter& painter, const Case& picture, const Change& change, Encoding encoding,
+            const std::filesystem::path& file, int frames) {
   check_recording(file);
-  std::vector<Image> pictures;
-  const bool animation = image_io::lower_extension(file) == ".gif";
-  for (int i = 0; i < frames; ++i) {
+  const auto paint = [&](int i) {
     Case frame = picture;
-    frame.camera.eye = turned(start, glm::two_pi<double>() * i / frames);
-    Image image = painter.paint(frame, i / frames_a_second);
-    if (animation) {
-      pictures.push_back(std::move(image));
-    } else {
-      auto numbered = file;
-      numbered.replace_filename(fmt::format("{}-{:04}{}", file.stem().string(), i, file.extension().string()));
-      write_image(numbered, image, {.encoding = encoding});
-    }
+    change(frame, double(i) / frames);
+    return painter.paint(frame, i / frames_a_second);
+  };
+  if (image_io::lower_extension(file) == ".gif")
+    return write_animation(file, frames, paint, 1 / frames_a_second, encoding);
+  for (int i = 0; i < frames; ++i) {
+    auto numbered = file;
+    numbered.replace_filename(fmt::format("{}-{:04}{}", file.stem().string(), i, file.extension().string()));
+    write_image(numbered, paint(i), {.encoding = encoding});
   }
-  if (animation) write_animation(file, pictures, 1 / frames_a_second, encoding);
 }
 
 }  // namespace atelier

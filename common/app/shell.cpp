@@ -28,9 +28,11 @@ Encoding encoding_of(const StepDescription& description, const std::string& outp
 
 /// Refuses a camera that nothing depends on, before anything is drawn.
 void check_has_camera(const StepDescription& description, const CommandLine& line) {
-  const bool moved = line.picture.camera.eye || line.picture.camera.target || !line.record.empty();
+  const bool turning = !line.record.empty() && !line.vary;
+  const bool moved = line.picture.camera.eye || line.picture.camera.target || turning;
   if (moved && !description.camera)
-    throw Error(description.name + " has no camera: --eye, --target and --record would change nothing");
+    throw Error(description.name +
+                " has no camera: --eye, --target and a --record without --vary would change nothing");
 }
 
 /// Where only one of eye and target was given, it may be the scene's other.
@@ -75,6 +77,11 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   }
   check_has_camera(program->description(), line);
   take_settings(line, program->description());
+  std::optional<VariedSetting> varied;
+  if (line.vary) {
+    varied = varied_setting(program->description().settings, line.vary->name, line.vary->from, line.vary->to);
+    line.picture.settings[varied->name] = varied->from;
+  }
   const Encoding encoding = encoding_of(program->description(), line.picture.output);
   const Image image = painter.paint(line.picture);  // loads the scene, whose camera is the one that is changed
   const Camera camera = apply(line.picture.camera, program->camera());
@@ -82,7 +89,8 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   if (line.record.empty())
     write_image(line.out, image, {.encoding = encoding});
   else
-    record_turn(painter, camera, line.picture, encoding, line.record, line.frames);
+    record(painter, line.picture, varied ? change_of_setting(*varied) : turn_of_camera(camera), encoding, line.record,
+           line.frames);
   if (line.stats) std::fputs((line.json ? cost_as_json : cost_as_text)(painter.cost()).c_str(), stdout);
   return exit_ok;
 }

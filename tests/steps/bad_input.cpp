@@ -167,6 +167,9 @@ TEST_CASE("a step's program refuses what would change nothing", "[bad-input]") {
   const Row rows[] = {
       {"00-hello", {"--out", out, "--eye", "0,1,2"}, {"00-hello has no camera", "--eye"}},
       {"00-hello", {"--record", turn, "--frames", "2"}, {"00-hello has no camera", "--record"}},
+      {"01-transforms", {"--record", turn, "--vary", "hall.segment=3..9"}, {"'hall.segment'", "hall.segments"}},
+      {"01-transforms", {"--record", turn, "--vary", "hall.segments=2..9"}, {"'hall.segments'", "2", "3..4096"}},
+      {"01-transforms", {"--record", turn, "--vary", "depth.format=16..24"}, {"--vary depth.format=16..24", "numbers"}},
       {"01-transforms", {"--out", out, "--frames", "2"}, {"--frames", "--record"}},
       {"01-transforms", {"--out", out, "--eye", "1,2,3", "--target", "1,2,3"}, {"--eye", "--target"}},
       {"01-transforms", {"--out", out, "--scene", "materials", "--eye", "0,0,0"}, {"--eye", "scene's camera looks"}},

@@ -52,6 +52,16 @@ TEST_CASE("a command line that is wrong is answered with what is", "[command_lin
       {"no samples", {"--truth", "--samples", "0", "--out", "a.png"}, {"--samples", "64"}},
       {"too many samples", {"--truth", "--samples", "65", "--out", "a.png"}, {"--samples", "64"}},
       {"frames of no recording", {"--out", "a.png", "--frames", "3"}, {"--frames", "--record"}},
+      {"nothing to vary", {"--record", "a.gif", "--vary", ""}, {"--vary", "no value"}},
+      {"variation of no recording", {"--out", "a.png", "--vary", "a.b=0..1"}, {"--vary", "--record"}},
+      {"variation without an end", {"--record", "a.gif", "--vary", "a.b=0.."}, {"--vary a.b=0..", "NAME=FROM..TO"}},
+      {"variation without a beginning", {"--record", "a.gif", "--vary", "a.b=..1"}, {"NAME=FROM..TO"}},
+      {"variation to one value", {"--record", "a.gif", "--vary", "a.b=1.5"}, {"--vary a.b=1.5", "NAME=FROM..TO"}},
+      {"variation without a name", {"--record", "a.gif", "--vary", "=0..1"}, {"--vary =0..1", "NAME=FROM..TO"}},
+      {"variation without a value", {"--record", "a.gif", "--vary", "a..b"}, {"--vary a..b", "NAME=FROM..TO"}},
+      {"variation of what is set",
+       {"--record", "a.gif", "--set", "a.b=7", "--vary", "a.b=0..1"},
+       {"--vary a.b=0..1", "--set", "7"}},
       {"a film", {"--record", "q.mp4"}, {"--record q.mp4", ".gif", ".png, .bmp or .exr"}},
       {"a recording without an ending", {"--record", "turn"}, {"--record turn", ".gif"}},
       {"two kinds of pictures", {"--out", "a.png", "--record", "a.gif"}, {"--out", "--record"}},
@@ -102,6 +112,7 @@ TEST_CASE("what is not said has its default", "[command_line]") {
   CHECK(line.picture.scene.empty());
   CHECK(line.frames == 48);
   CHECK(line.repeat == 0);
+  CHECK_FALSE(line.vary);
   CHECK_FALSE(line.stats);
   CHECK(line.settings.empty());
   CHECK_FALSE(line.context);
@@ -127,6 +138,18 @@ TEST_CASE("what is said is taken", "[command_line]") {
   CHECK(line.stats);
   CHECK(line.record == "turn.GIF");
   CHECK(line.frames == 7);
+
+  const struct {
+    const char *text, *from, *to;
+  } ranges[] = {{"a.b=0..360", "0", "360"}, {"a.b=-1.5..-16", "-1.5", "-16"}, {"a.b=.5...25", ".5", ".25"}};
+  for (const auto& row : ranges) {
+    INFO(row.text);
+    const CommandLine varied = parse({"--record", "a.gif", "--vary", row.text}).value();
+    REQUIRE(varied.vary);
+    CHECK(varied.vary->name == "a.b");
+    CHECK(varied.vary->from == row.from);
+    CHECK(varied.vary->to == row.to);
+  }
 
   const CommandLine measured = parse({"--out", "a.png", "--stats", "--repeat", "9", "--json"}).value();
   CHECK(measured.stats);
