@@ -101,6 +101,7 @@ void ShadowedSurface::prepare(Gl&, const Scene& scene) {
 
 void ShadowedSurface::moved(const Scene&) {
   maps_.clear();
+  found_ = false;
 }
 
 // ---- Which lights have a map, and of what
@@ -118,23 +119,6 @@ void append(std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& more
   points.insert(points.end(), more.begin(), more.end());
 }
 
-/// The points that the fits are made from.
-struct Extents {
-  std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; what is seen of receivers
-};
-
-Extents extents_of(const Scene& scene, const Viewpoint& viewpoint, std::span<const NodePainter::Item> items) {
-  Extents found;
-  for (const NodePainter::Item& item : items) {
-    if (item.box.empty()) continue;
-    const std::vector<glm::dvec3> corners = corners_of(item);
-    if (casts(scene, item) || receives(scene, item)) append(found.all, corners);
-    if (casts(scene, item)) append(found.casters, corners);
-    if (receives(scene, item)) append(found.seen, visible_corners(item, viewpoint));
-  }
-  return found;
-}
-
 float radians_across(const Sphere& sphere, const glm::vec3& from) {
   const float distance = glm::distance(sphere.centre, from);
   return distance > sphere.radius ? std::asin(sphere.radius / distance) : 4.0f;
@@ -150,41 +134,56 @@ float nearest_depth(std::span<const glm::dvec3> points, const LightFrustum& frus
 
 }  // namespace
 
-std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& scene, int light,
-                                                                const Viewpoint& viewpoint,
-                                                                const NodePainter& painter) const {
-  const Light& source = scene.lights[std::size_t(light)];
-  if (!source.casts_shadow) return {};
-  const Extents extents = extents_of(scene, viewpoint, painter.items());
-  std::optional<Sphere> sphere = sphere_around(fit_ == Fit::scene ? extents.all : extents.casters);
-  if (!sphere) return {};
-  Mapped map{.light = light};
-  if (source.type == LightType::directional) {
-    map.frustum = fit_sun(source.direction, *sphere);
-    if (fit_ == Fit::visible) {
-      const auto tight = fit_sun_to_both(source.direction, extents.casters, extents.seen);
-      if (!tight) return {};
-      map.frustum = snap_to_texels(*tight, resolution_);
+/// The points that the fits are made from, and the casters.
+struct ShadowedSurface::Extents {
+  std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; what is seen of receivers
+  std::vector<NodePainter::Item> casting;
+
+  Extents(const Scene& scene, const Viewpoint& viewpoint, std::span<const NodePainter::Item> items, Fit fit) {
+    for (const NodePainter::Item& item : items) {
+      if (item.box.empty()) continue;
+      const std::vector<glm::dvec3> corners = corners_of(item);
+      if (casts(scene, item) || receives(scene, item)) append(all, corners);
+      if (casts(scene, item)) append(casters, corners), casting.push_back(item);
+      if (fit == Fit::visible && receives(scene, item)) append(seen, visible_corners(item, viewpoint));
     }
-  } else if (source.type == LightType::point) {
-    std::vector<NodePainter::Item> casters;
-    for (const NodePainter::Item& item : painter.items())
-      if (casts(scene, item) && !item.box.empty()) casters.push_back(item);
-    const auto frustum = fit_point(source, glm::vec3(source.position - viewpoint.origin), casters);
-    if (!frustum) return {};
-    map.frustum = *frustum;
-  } else {
-    const glm::vec3 position(source.position - viewpoint.origin);
-    if (fit_ == Fit::visible) {
-      const auto seen = sphere_around(extents.seen);
-      if (!seen) return {};
-      if (radians_across(*seen, position) < radians_across(*sphere, position)) sphere = seen;
-    }
-    map.frustum = fit_spot(position, source.direction, source.outer_angle, *sphere);
-    // Only casters are drawn: the near plane may be as far as the first of them, which saves digits of every depth.
-    const float first = 0.99f * nearest_depth(extents.casters, map.frustum);
-    map.frustum.near = glm::clamp(first, map.frustum.near, 0.99f * map.frustum.far);
   }
+};
+
+std::optional<LightFrustum> ShadowedSurface::fit_to_sun(const Light& light, const Extents& extents) const {
+  if (fit_ != Fit::visible)
+    return fit_sun(light.direction, *sphere_around(fit_ == Fit::scene ? extents.all : extents.casters));
+  const auto tight = fit_sun_to_both(light.direction, extents.casters, extents.seen);
+  if (!tight) return {};
+  return snap_to_texels(*tight, resolution_);
+}
+
+std::optional<LightFrustum> ShadowedSurface::fit_to_spot(const Light& light, const glm::vec3& position,
+                                                         const Extents& extents) const {
+  Sphere sphere = *sphere_around(fit_ == Fit::scene ? extents.all : extents.casters);
+  if (fit_ == Fit::visible) {
+    const auto seen = sphere_around(extents.seen);
+    if (!seen) return {};
+    if (radians_across(*seen, position) < radians_across(sphere, position)) sphere = *seen;
+  }
+  LightFrustum frustum = fit_spot(position, light.direction, light.outer_angle, sphere);
+  // Only casters are drawn: the near plane may be as far as the first of them, which saves digits of every depth.
+  const float first = 0.99f * nearest_depth(extents.casters, frustum);
+  frustum.near = glm::clamp(first, frustum.near, 0.99f * frustum.far);
+  return frustum;
+}
+
+std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& scene, int light,
+                                                                const Viewpoint& viewpoint, const NodePainter& painter,
+                                                                const Extents& extents) const {
+  const Light& source = scene.lights[std::size_t(light)];
+  if (!source.casts_shadow || extents.casters.empty()) return {};
+  const glm::vec3 position(source.position - viewpoint.origin);
+  const auto frustum = source.type == LightType::directional ? fit_to_sun(source, extents)
+                       : source.type == LightType::spot      ? fit_to_spot(source, position, extents)
+                                                             : fit_point(source, position, extents.casting);
+  if (!frustum) return {};
+  Mapped map{.light = light, .frustum = *frustum};
   map.view = light_view(map.frustum);
   map.projection = light_projection(map.frustum);
   // What stands before the near plane casts its shadow too: only the other five planes can put a caster out of reach.
@@ -200,14 +199,16 @@ std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& sce
 }
 
 void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
+  const Extents extents(scene, viewpoint, painter.items(), fit_);
   std::vector<Mapped> found;
   for (const std::vector<int>* lights : {&lit_.spots(), &lit_.suns(), &lit_.points()})
     for (const int light : *lights)
-      if (auto map = map_for(scene, light, viewpoint, painter)) found.push_back(std::move(*map));
+      if (auto map = map_for(scene, light, viewpoint, painter, extents)) found.push_back(std::move(*map));
   for (std::size_t i = 0; i < found.size() && i < maps_.size(); ++i)
     found[i].drawn = maps_[i].drawn && found[i].light == maps_[i].light && found[i].view == maps_[i].view &&
                      found[i].projection == maps_[i].projection && found[i].casters == maps_[i].casters;
   maps_ = std::move(found);
+  found_ = true;
 }
 
 // ---- Drawing them
@@ -242,8 +243,7 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter) {
 }
 
 void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
-  if (maps_.empty() || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative)
-    find_maps(scene, viewpoint, painter);
+  if (!found_ || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative) find_maps(scene, viewpoint, painter);
   if (maps_.empty()) return;
   make_room(gl);
   if (!texture_ || !framebuffer_) return;  // make_shadow_maps is not written yet

@@ -55,9 +55,13 @@ class ShadowedSurface : public Feature {
     bool drawn = false;        ///< whether the layer holds what these casters look like from there
   };
 
+  struct Extents;
   void find_maps(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
-  std::optional<Mapped> map_for(const Scene& scene, int light, const Viewpoint& viewpoint,
-                                const NodePainter& painter) const;
+  std::optional<Mapped> map_for(const Scene& scene, int light, const Viewpoint& viewpoint, const NodePainter& painter,
+                                const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> fit_to_spot(const Light& light, const glm::vec3& position,
+                                                          const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
   void make_room(Gl& gl);
   void draw_map(Gl& gl, int layer, NodePainter& painter);
   int map_of(int light) const;
@@ -72,6 +76,7 @@ class ShadowedSurface : public Feature {
   bool bilinear_ = false, pcss_ = false, random_ = false, keep_ = true;
 
   std::vector<Mapped> maps_;  ///< layer by layer
+  bool found_ = false;        ///< whether maps_ is right for scene and settings
   shadow_mapping::ShadowMaps names_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;
