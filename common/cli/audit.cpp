@@ -1,8 +1,8 @@
 // ./atelier audit: proves that the cases can tell right from wrong.
 //
-// Every known mistake is built and judged like a submission. It must lose points on every case that claims to catch it;
-// the verdict's name for it is taken from another spelling of the mistake where there is one, because the atlas was
-// made from the first. Every variant (another right solution) must keep all points.
+// Every known mistake is built and judged like a submission, by the cases that claim to catch it. It must lose points
+// on every one of them; the verdict's name for it is taken from another spelling of the mistake where there is one,
+// because the atlas was made from the first. Every variant (another right solution) must keep all points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -102,13 +102,17 @@ std::optional<StepResult> judge_version(const Workshop& workshop, const grade::S
   return result;
 }
 
-MistakeAudit audit_mistake(const Workshop& workshop, const grade::StepJudge& judge, const judge::Mistake& mistake) {
+/// Judged by the cases that claim to catch it alone: what other cases make of it proves nothing. By all where none
+/// claims, to find one that might.
+MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& criteria, const grade::StepJudge& all_cases,
+                           const judge::Mistake& mistake) {
   MistakeAudit audit{.step = workshop.step().name, .name = mistake.name};
-  const auto claims = claiming_cases(judge.cases(), mistake.name);
+  const auto claims = claiming_cases(all_cases.cases(), mistake.name);
   if (!claims.empty()) audit.expected_case = claims.front();
 
   const Version version = workshop.patched("mistake-" + mistake.name, mistake.patch);
   audit.built = version.built;
+  const grade::StepJudge judge(criteria, claims);
   auto result = judge_version(workshop, judge, version, audit.trouble);
   if (!result) return audit;
   audit.claims_broken = broken_claims(*result, claims);
@@ -156,9 +160,10 @@ void refuse_unknown_claims(const grade::StepJudge& judge, const std::vector<judg
 }
 
 void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& audit) {
-  const grade::StepJudge judge({.cases = folders.case_file(step.name),
-                                .mistakes = folders.mistakes_file(step.name),
-                                .reference_cache = folders.reference_cache()});
+  const grade::Criteria criteria{.cases = folders.case_file(step.name),
+                                 .mistakes = folders.mistakes_file(step.name),
+                                 .reference_cache = folders.reference_cache()};
+  const grade::StepJudge judge(criteria);
   judge.require_references();
   const auto mistakes = judge::read_mistakes(folders.mistakes_file(step.name));
   const auto variants = fs::exists(folders.variants_file(step.name))
@@ -171,7 +176,7 @@ void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& au
   std::vector<VariantAudit> audited_variants(variants.size());
   for_each_parallel(mistakes.size() + variants.size(), worker_threads(), [&](std::size_t i) {
     if (i < mistakes.size())
-      audited_mistakes[i] = audit_mistake(workshop, judge, mistakes[i]);
+      audited_mistakes[i] = audit_mistake(workshop, criteria, judge, mistakes[i]);
     else
       audited_variants[i - mistakes.size()] = audit_variant(workshop, judge, variants[i - mistakes.size()]);
   });
