@@ -24,20 +24,22 @@ if(ATELIER_MOLD)
   target_link_options(atelier_options INTERFACE -fuse-ld=mold)
 endif()
 
-# For code that waits for files and other programs, and for tests: a third less time to compile, and nobody sees the
-# difference. Under sanitizers, where the checks of undefined behaviour take half of that time, AddressSanitizer alone stays;
-# the code that these call keeps both. Call it before atelier_precompile: GCC 12 crashes over headers that were precompiled
-# with other options.
+# For code that waits for files, drivers and other programs, and for tests: a third less time to compile, and nobody sees
+# the difference. With ADDRESSES_ONLY it goes without the checks of undefined behaviour in a build with sanitizers, where
+# they take half of the time, and keeps AddressSanitizer: for what reads nothing from strangers. Call it before
+# atelier_precompile: GCC 12 crashes over headers that were precompiled with other options.
 function(atelier_compile_quickly target)
+  cmake_parse_arguments(QUICKLY "ADDRESSES_ONLY" "" "" ${ARGN})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR CMAKE_BUILD_TYPE STREQUAL Debug)
     return()
   endif()
-  if(ATELIER_SANITIZE)
-    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined)
-  else()
+  if(NOT ATELIER_SANITIZE)
     target_compile_options(${target} PRIVATE -O1)
+    set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
+  elseif(QUICKLY_ADDRESSES_ONLY)
+    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined)
+    set_target_properties(${target} PROPERTIES ATELIER_LEVEL addresses)
   endif()
-  set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
 endfunction()
 
 # Reading the headers that everyone includes takes a second a file, their precompiled form a tenth: one for all libraries
@@ -53,9 +55,14 @@ function(atelier_precompile target)
   endif()
 endfunction()
 
-# A folder of common/: an object library that ends up in libatelier.so (see common/CMakeLists.txt).
+# A folder of common/: an object library that ends up in libatelier.so (see common/CMakeLists.txt). QUICKLY: as
+# atelier_compile_quickly has it.
 function(atelier_part name)
-  add_library(atelier_${name} OBJECT ${ARGN})
+  cmake_parse_arguments(PART "QUICKLY" "" "" ${ARGN})
+  add_library(atelier_${name} OBJECT ${PART_UNPARSED_ARGUMENTS})
   target_link_libraries(atelier_${name} PUBLIC atelier_options atelier_headers)
+  if(PART_QUICKLY)
+    atelier_compile_quickly(atelier_${name})
+  endif()
   atelier_precompile(atelier_${name})
 endfunction()

@@ -1,10 +1,13 @@
-# atelier_step(NAME TITLE "..." FILES a.cpp a.glsl [HEADERS a.hpp] [USES 01-transforms ...] PROGRAM main.cpp ...)
+# atelier_step(NAME TITLE "..." FILES a.cpp a.glsl [HEADERS a.hpp] [USES 01-transforms ...]
+#              PROGRAM main.cpp ... [SHARED feature.cpp ...] [SHARES 02-blinn-phong ...])
 #
 # NAME      the folder below steps/
 # FILES     what the student writes; the solution has the same names
 # HEADERS   the contract: what the student's files may include
 # USES      earlier steps whose functions are called
-# PROGRAM   the given sources
+# PROGRAM   the given sources that no other step needs
+# SHARED    the given sources that later steps build on: compiled once for all
+# SHARES    steps whose SHARED sources this program takes in beside its own
 #
 # Makes the executable NAME, the given program as a module that it loads, and, where solutions/NAME is there, the
 # solution's library, unless a release has brought it compiled: solutions/NAME/libstep.so. Students' own files are not
@@ -40,17 +43,30 @@ function(atelier_json_list out)
 endfunction()
 
 function(atelier_step name)
-  cmake_parse_arguments(STEP "" "TITLE" "FILES;HEADERS;USES;PROGRAM" ${ARGN})
+  cmake_parse_arguments(STEP "" "TITLE" "FILES;HEADERS;USES;PROGRAM;SHARED;SHARES" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/steps/${name})
   if(EXISTS ${PROJECT_SOURCE_DIR}/skeletons AND NOT EXISTS ${folder}/main.cpp)
     return()  # a step that has not been released yet
   endif()
 
   list(TRANSFORM STEP_PROGRAM PREPEND ${folder}/)
+  set(parts program-${name})
   add_library(program-${name} MODULE ${STEP_PROGRAM})
-  target_link_libraries(program-${name} PRIVATE atelier)
-  target_include_directories(program-${name} PRIVATE ${PROJECT_SOURCE_DIR}/steps)
-  atelier_precompile(program-${name})
+  if(STEP_SHARED)
+    list(TRANSFORM STEP_SHARED PREPEND ${folder}/)
+    add_library(shared-${name} OBJECT ${STEP_SHARED})
+    list(APPEND parts shared-${name})
+    list(APPEND STEP_SHARES ${name})
+  endif()
+  foreach(part IN LISTS parts)
+    target_link_libraries(${part} PRIVATE atelier)
+    target_include_directories(${part} PRIVATE ${PROJECT_SOURCE_DIR}/steps)
+    set_target_properties(${part} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    atelier_precompile(${part})
+  endforeach()
+  foreach(step IN LISTS STEP_SHARES)
+    target_sources(program-${name} PRIVATE $<TARGET_OBJECTS:shared-${step}>)
+  endforeach()
 
   # Which of the steps have C++ of the student's, in the order of loading.
   set(libraries "")

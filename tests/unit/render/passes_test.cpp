@@ -1,0 +1,200 @@
+// What a feature draws before the view and instead of it, and how it says what of a light a surface sees.
+#include "catch.hpp"
+#include "pieces.hpp"
+
+namespace {
+
+using namespace atelier;
+using namespace atelier::test;
+
+/// Fills a target of its own with the depths of the nodes that it is told, whatever state that leaves behind.
+struct DepthPiece : Piece {
+  std::vector<int> wanted{0};
+  std::vector<NodePainter::Item> items;
+  std::optional<Target> map;
+  PassSources pass{
+      .name = "pass",
+      .vertex = "void main() { gl_Position = clip_position(u_projection, u_view, u_model, a_position); }\n",
+      .fragment = "#include \"00-fake/pass.glsl\"\nvoid main() { gl_FragDepth = pass_depth(); }\n"};
+  int bound = 0;
+  bool instead = false;
+
+  void draw_before(Gl& gl, const Scene&, const Viewpoint& viewpoint, NodePainter& painter) override {
+    items.assign(painter.items().begin(), painter.items().end());
+    if (!map) map.emplace(gl, TargetSpec{.width = 16, .height = 16, .colour = ColourFormat::none});
+    map->bind(gl);
+    gl.Enable(GL_DEPTH_TEST);
+    gl.DepthFunc(GL_LESS);
+    gl.ClearDepth(1);
+    gl.Clear(GL_DEPTH_BUFFER_BIT);
+    painter.paint(pass, wanted, [&](Binder& binder) {
+      ++bound;
+      binder.set("u_view", viewpoint.world_to_view);
+      binder.set("u_projection", viewpoint.projection);
+    });
+    // As untidy as a feature may be.
+    gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_GREATER);
+    gl.Enable(GL_CULL_FACE);
+    gl.CullFace(GL_FRONT);
+    gl.Enable(GL_DEPTH_CLAMP);
+    gl.Viewport(0, 0, 1, 1);
+  }
+  bool draw_instead(Gl& gl, const View& view, const Target&) override {
+    if (!instead || view.output != "colour") return false;
+    gl.ClearColor(1, 0.5f, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    return true;
+  }
+};
+
+struct Studio {
+  Shaders shaders;
+  std::unique_ptr<HeadlessContext> context = make_headless_context();
+  DepthPiece* piece = nullptr;
+  Renderer renderer;
+  Target target{context->gl(), {.width = 32, .height = 32}};
+
+  explicit Studio(std::unique_ptr<DepthPiece> made = std::make_unique<DepthPiece>())
+      : renderer(context->gl(), shaders.implementations(), fake_transforms(), features(std::move(made))) {
+    shaders.write("00-fake/pass.glsl", "float pass_depth() { return 0.25; }\n");
+  }
+  std::vector<std::unique_ptr<Feature>> features(std::unique_ptr<DepthPiece> made) {
+    piece = made.get();
+    std::vector<std::unique_ptr<Feature>> list;
+    list.push_back(std::move(made));
+    return list;
+  }
+  Image draw(const Scene& scene) {
+    renderer.render({.camera = scene.camera}, target);
+    return target.read_colour(context->gl());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a feature draws before the view, and the view is none the worse for it", "[passes]") {
+  Studio studio, plain;
+  plain.piece->wanted.clear();
+  const Scene scene = triangle_scene();
+  studio.renderer.prepare(scene);
+  const Image picture = studio.draw(scene);
+
+  // What came before is in the feature's own target: the pass's depth where the triangle is, the clear value elsewhere.
+  const Image depths = studio.piece->map->read_depth(studio.context->gl());
+  CHECK(depths.at(5, 10).r == Approx(0.25).margin(1e-6));  // 24 bits hold it to 6e-8
+  CHECK(depths.at(15, 0).r == 1);
+  CHECK(studio.piece->bound == 1);
+  REQUIRE(studio.piece->items.size() == 1);
+  CHECK(studio.piece->items[0].node == 0);
+  CHECK(studio.piece->items[0].box.low == glm::dvec3(-1, -1, 0));
+  CHECK(studio.piece->items[0].box.high == glm::dvec3(1, 1, 0));
+
+  // The picture is that of a renderer without features at all.
+  Renderer bare(plain.context->gl(), plain.shaders.implementations(), fake_transforms(), {});
+  bare.prepare(scene);
+  bare.render({.camera = scene.camera}, plain.target);
+  CHECK(picture == plain.target.read_colour(plain.context->gl()));
+  CHECK(picture.at(10, 20) == grey);
+}
+
+TEST_CASE("only the nodes that a pass names are drawn in it, and mirrored ones face the right way", "[passes]") {
+  Studio studio;
+  Scene scene = triangle_scene();
+  scene.nodes.push_back({.name = "mirrored", .translation = {0, 0, 0}, .scale = {-1, 1, 1}, .mesh = 0});
+  studio.renderer.prepare(scene);
+  const auto depth_at = [&](int x, int y) { return studio.piece->map->read_depth(studio.context->gl()).at(x, y).r; };
+  studio.piece->wanted = {};
+  studio.draw(scene);
+  CHECK(studio.piece->bound == 0);
+  CHECK(depth_at(4, 10) == 1);
+  studio.piece->wanted = {1};
+  studio.draw(scene);
+  CHECK(depth_at(11, 10) < 1);  // the mirrored triangle fills the lower right
+  CHECK(depth_at(4, 5) == 1);
+}
+
+TEST_CASE("a feature may fill the target instead of the scene", "[passes]") {
+  Studio studio;
+  studio.piece->instead = true;
+  const Scene scene = triangle_scene();
+  studio.renderer.prepare(scene);
+  const Image picture = studio.draw(scene);
+  CHECK(picture.at(0, 0) == Rgba{1, 0.5f, 0, 1});
+  CHECK(picture.at(10, 20) == Rgba{1, 0.5f, 0, 1});
+  CHECK(studio.renderer.counts().nodes == 0);
+}
+
+TEST_CASE("a pass's shader that has changed is taken, a broken one is told", "[passes]") {
+  Studio studio;
+  const Scene scene = triangle_scene();
+  studio.renderer.prepare(scene);
+  studio.draw(scene);
+  const auto depth = [&] {
+    studio.draw(scene);
+    return studio.piece->map->read_depth(studio.context->gl()).at(5, 10).r;
+  };
+  studio.shaders.write("00-fake/pass.glsl", "float pass_depth() { return 0.5; }\n");
+  CHECK(studio.renderer.reload_changed_shaders().empty());
+  CHECK(depth() == Approx(0.5).margin(1e-6));
+  studio.shaders.write("00-fake/pass.glsl", "float pass_depth() { return nothing; }\n");
+  CHECK(mentions(studio.renderer.reload_changed_shaders(), {"pass.glsl:1", "nothing"}));
+  CHECK(depth() == Approx(0.5).margin(1e-6));
+}
+
+TEST_CASE("lights and nodes that move are told to the features", "[passes]") {
+  struct Told : Piece {
+    int times = 0;
+    void moved(const Scene&) override { ++times; }
+  };
+  Shaders shaders;
+  const auto context = make_headless_context();
+  auto told = std::make_unique<Told>();
+  Told& piece = *told;
+  std::vector<std::unique_ptr<Feature>> list;
+  list.push_back(std::move(told));
+  Renderer renderer(context->gl(), shaders.implementations(), fake_transforms(), std::move(list));
+  renderer.nodes_moved();  // there is no scene yet
+  CHECK(piece.times == 0);
+  const Scene scene = triangle_scene();
+  renderer.prepare(scene);
+  CHECK(piece.times == 0);
+  renderer.nodes_moved();
+  renderer.lights_moved();
+  CHECK(piece.times == 2);
+}
+
+TEST_CASE("shading code asks what it sees of each light, and features answer", "[passes]") {
+  Shaders shaders;
+  shaders.write("00-fake/shade.glsl", R"(
+vec3 shade(Surface s) {
+  vec3 up = vec3(0.0, 1.0, 0.0);
+  return vec3(visible_from_point(0, s.position_world, up, up), visible_from_spot(1, s.position_world, up, up),
+              visible_from_sun(2, s.position_world, up, up));
+}
+)");
+  shaders.write("00-fake/spot.glsl",
+                "float spot(int light, vec3 position, vec3 normal, vec3 to_light) { return 0.25 * float(light); }\n");
+  Piece shading, knowing, better;
+  shading.filled = {{Slot::shade, {"00-fake/shade.glsl", "shade"}}};
+  knowing.filled = {{Slot::visible_from_spot, {"00-fake/spot.glsl", "spot"}}};
+  // One file may hold both what asks and what answers.
+  shaders.write("00-fake/sun.glsl",
+                "float sun(int light, vec3 p, vec3 n, vec3 l) { return visible_from_spot(3, p, n, l); }\n");
+  better.filled = {{Slot::visible_from_sun, {"00-fake/sun.glsl", "sun"}}};
+
+  const auto context = make_headless_context();
+  std::vector<std::unique_ptr<Feature>> list;
+  for (const Piece* piece : {&shading, &knowing, &better}) {
+    list.push_back(std::make_unique<Piece>());
+    static_cast<Piece&>(*list.back()).filled = piece->filled;
+  }
+  Renderer renderer(context->gl(), shaders.implementations(), fake_transforms(), std::move(list));
+  const Scene scene = triangle_scene();
+  renderer.prepare(scene);
+  const Target target(context->gl(), {.width = 32, .height = 32});
+  renderer.render({.camera = scene.camera}, target);
+  // Nobody knows about point lights: 1. The spot is asked for by its number, 1; the sun's answer is the spot's for 3.
+  CHECK(target.read_colour(context->gl()).at(10, 20) == Rgba{1, 0.25f, 0.75f, 1});
+}
