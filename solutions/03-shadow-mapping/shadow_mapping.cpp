@@ -79,8 +79,8 @@ LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, flo
 }
 
 glm::mat4 light_view(const LightFrustum& frustum) {
-  // >>> student: step 01's camera
-  return transforms::look_at(frustum.eye, frustum.eye + frustum.direction, glm::vec3(0, 1, 0));
+  // >>> student: step 01's camera; eye + direction would lose the direction's digits far from the origin
+  return transforms::look_at(glm::vec3(0), frustum.direction, glm::vec3(0, 1, 0)) * transforms::translation(-frustum.eye);
   // --- skeleton
   // | return glm::mat4(1.0f);
   // <<< student

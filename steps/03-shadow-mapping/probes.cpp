@@ -26,6 +26,12 @@ const std::string light_of_arguments =
 const std::string plain_light =
     "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, sun > 0.5, 0)";
 
+/// Leaves it to the probe's arguments to declare u_bias and u_depth_step: shadows.glsl declares others in their place.
+const std::string bias_as_argument =
+    "#define u_bias u_other_bias\n#define u_depth_step u_other_depth_step\n"
+    "#include \"03-shadow-mapping/shadows.glsl\"\n"
+    "#undef u_bias\n#undef u_depth_step\n";
+
 /// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over. Bound
 /// to texture unit 0 as long as it lives.
 class TestMaps {
@@ -227,7 +233,7 @@ std::map<std::string, Probe> shadow_mapping_probes() {
   };
   for (int bias = 0; bias <= 3; ++bias)
     probes[fmt::format("shadow_factor_{}", bias)] =
-        map_probe(fmt::format("#define BIAS {}\n", bias),
+        map_probe(fmt::format("#define BIAS {}\n", bias) + "#define PCF 1\n" + bias_as_argument,
                   "vec4(shadow_factor(" + light_of_arguments + ", position, normal, to_light))", 1);
   return probes;
 }

@@ -24,7 +24,7 @@ LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, flo
 }
 
 glm::mat4 light_view(const LightFrustum& frustum) {
-  // TODO(03-shadow-mapping): step 01's camera
+  // TODO(03-shadow-mapping): step 01's camera; eye + direction would lose the direction's digits far from the origin
   return glm::mat4(1.0f);
 }
 

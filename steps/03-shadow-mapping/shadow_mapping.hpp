@@ -46,8 +46,7 @@
 //   vec2 plane_slope(vec3 dx, vec3 dy)                                               (further)
 //       (dz/du, dz/dv) of the plane that the surface is in the map's space: dx and dy are how the shadow coordinate
 //       changes from pixel to pixel. Solves s.x du + s.y dv = dz for both. Where the two directions are parallel in the
-//       map
-//       (|determinant| <= 1e-6 |dx.xy| |dy.xy|) it is (0, 0); components are at most 100 either way.
+//       map (|determinant| <= 1e-6 |dx.xy| |dy.xy|) it is (0, 0); components are at most 100 either way.
 //   float pcf(vec3 coordinate, vec2 slope, int layer)
 //       Percentage-closer filtering (Reeves, Salesin, Cook 1987): the mean of PCF x PCF comparisons, one texel apart,
 //       their middle at the coordinate. Each compares the depth that the plane has there: z + dot(slope, offset).
@@ -72,10 +71,11 @@
 //   float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light)
 //       The share of the light that reaches a point: 1 lit, 0 in shadow. `normal` is of unit length, or zero. Bias by
 //       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the point's depth: 0 none, 1 constant,
-//       2 slope, 3 normal offset, 4 receiver plane. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and with
-//       PCSS the slope is plane_slope of the coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
-//       (|slope.x| + |slope.y|) / resolution: what the plane falls within the texel that stands for the point.
-//       Otherwise the slope is zero.
+//       2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS is not 0 its z is
+//       lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and
+//       with PCSS the slope is plane_slope of the coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
+//       (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that stands for the
+//       point. Otherwise the slope is zero.
 //   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
 //       Step 02's shade with shadows: ambient light arrives everywhere; of each light arrives what visible_from_point,
 //       visible_from_spot or visible_from_sun (declared in shadows.glsl; the first argument is the light's number) lets
