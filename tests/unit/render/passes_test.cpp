@@ -75,8 +75,7 @@ struct Studio {
 }  // namespace
 
 TEST_CASE("a feature draws before the view, and the view is none the worse for it", "[passes]") {
-  Studio studio, plain;
-  plain.piece->wanted.clear();
+  Studio studio;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
   const Image picture = studio.draw(scene);
@@ -92,10 +91,12 @@ TEST_CASE("a feature draws before the view, and the view is none the worse for i
   CHECK(studio.piece->items[0].box.high == glm::dvec3(1, 1, 0));
 
   // The picture is that of a renderer without features at all.
-  Renderer bare(plain.context->gl(), plain.shaders.implementations(), fake_transforms(), {});
+  Gl& gl = studio.context->gl();
+  Renderer bare(gl, studio.shaders.implementations(), fake_transforms(), {});
   bare.prepare(scene);
-  bare.render({.camera = scene.camera}, plain.target);
-  CHECK(picture == plain.target.read_colour(plain.context->gl()));
+  const Target fresh(gl, studio.target.spec());
+  bare.render({.camera = scene.camera}, fresh);
+  CHECK(picture == fresh.read_colour(gl));
   CHECK(picture.at(10, 20) == grey);
 }
 
