@@ -241,8 +241,9 @@ TEST_CASE("soft shadows out of range are refused", "[shadow]") {
   };
   CHECK(mentions(refused(soft(1, 0)), {"0 x 0 points", "256 x 256"}));
   CHECK(mentions(refused(soft(1, 257)), {"257 x 257 points"}));
-  CHECK(mentions(refused(soft(-0.5, 8)), {"light -0.5 wide", "0 or more"}));
+  CHECK(mentions(refused(soft(-0.5, 8)), {"light -0.5 wide", "0 to 1000000"}));
   CHECK(mentions(refused(soft(std::nan(""), 8)), {"light nan wide"}));
+  CHECK(mentions(refused(soft(1.1e6, 8)), {"light 1100000 wide"}));
   CHECK(mentions(refused(soft(std::numeric_limits<double>::infinity(), 8)), {"light inf wide"}));
   CHECK(refused({.shadows = Shadows::hard, .light_width = -1, .light_samples = 0}).empty());
   CHECK(refused(soft(0, 256)).empty());
