@@ -19,7 +19,8 @@ struct Window {
   bool endless = false;         ///< directions: rays go on for ever; otherwise they end on the rectangle
 };
 
-/// The part of a window from `low` to `high`, metres along right and up from its middle.
+/// The part of a window from `low` to `high`, along right and up from its middle, in its unit: metres, or of
+/// directions 1.
 class Beam {
  public:
   /// The ends of rays may lie up to 2 `bend` beside where the window says, in its unit.

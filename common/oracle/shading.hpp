@@ -31,7 +31,8 @@ using SurfaceColour = std::function<glm::dvec3(const World& world, const Surface
 struct Shading {
   Normalisation normalisation = Normalisation::none;
   Shadows shadows = Shadows::none;
-  double light_width = 0;  ///< soft: the side of the square, 0..; metres, or of a directional light tangents of angles
+  double light_width =
+      0;  ///< soft: the side of the square, 0..1e6 metres, or of a directional light tangents of angles
   int light_samples = 16;  ///< soft: n x n points of the square on a regular grid, 1..256
   SurfaceColour surface;   ///< set: stands in for all of the above
 };

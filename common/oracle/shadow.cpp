@@ -15,6 +15,7 @@ namespace atelier::oracle {
 namespace {
 
 constexpr int most_samples = 256;
+constexpr double widest = 1e6;
 constexpr double off_surface = 1e-12;  ///< of the lengths at hand: a thousand roundings
 
 double largest_component(const glm::dvec3& v) {
@@ -48,7 +49,8 @@ class ShadowRays {
   Window window_;             ///< as seen from the point,
   Window from_apex_;          ///< and from where the rays start
   double width_ = 0;
-  double gap_ = 0, level_ = 0;  ///< metres; what climbs less from the surface runs along it
+  double gap_ = 0;    ///< metres that rays start off the surface
+  double level_ = 0;  ///< a ray whose end climbs less runs along the surface; metres, or of directions radians
   int samples_ = 1;
 };
 
@@ -157,8 +159,8 @@ class SeenCells {
 
 void validate(const Shading& shading) {
   if (shading.shadows != Shadows::soft) return;
-  if (!(shading.light_width >= 0) || std::isinf(shading.light_width))
-    throw Error(fmt::format("a light {} wide (allowed: 0 or more, finite)", shading.light_width));
+  if (!(shading.light_width >= 0 && shading.light_width <= widest))
+    throw Error(fmt::format("a light {} wide (allowed: 0 to {})", shading.light_width, widest));
   if (shading.light_samples < 1 || shading.light_samples > most_samples)
     throw Error(fmt::format("{} x {} points on a light (allowed: 1 x 1 to {} x {})", shading.light_samples,
                             shading.light_samples, most_samples, most_samples));

@@ -24,8 +24,9 @@ namespace atelier::oracle {
 /// Whatever casts shadows hides what is behind it, the point's own surface included: of a light that stands halfway
 /// below a floor the floor sees one half. A light whose centre is on the far side of the point's own surface is asked
 /// for on that side: whether it reaches this one is for the cosine to say. A surface that touches the light itself does
-/// not hide it, and a surface does not hide a light whose centre lies in its plane.
-/// Throws Error as validate() does. `shading.surface` is not looked at.
+/// not hide it, and a surface does not hide a light whose centre lies in its plane: rays start 1e-12 of the world's
+/// reach and of their own length off the surface, and end as much before the light. Throws Error as validate() does.
+/// `shading.surface` is not looked at.
 double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading);
 
 }  // namespace atelier::oracle

@@ -116,12 +116,37 @@ TEST_CASE("a beam leaves out what lies beside, behind and beyond it", "[shadow]"
   }
 }
 
+TEST_CASE("a beam leaves out faces that none of its own sides keeps out", "[shadow]") {
+  const oracle::Window window{.frame = {.right = {1, 0, 0}, .up = {0, 0, -1}, .ahead = {0, -1, 0}},
+                              .middle = {0, 4, 0}};
+  const struct {
+    const char* name;
+    glm::dvec3 corners[3];
+    bool missed;
+  } rows[] = {
+      // At y = 2 the beam reaches to 0.25 m along x and z.
+      {"level, cut off before the beam's corner", {{0.6, 2, 0}, {0, 2, 0.6}, {0.6, 2, 0.6}}, true},
+      {"level, reaches over the beam's corner", {{0.4, 2, 0}, {0, 2, 0.4}, {0.4, 2, 0.4}}, false},
+      {"upright, cut off before the beam's corner", {{0.6, 1.5, 0}, {0, 1.5, 0.6}, {0.8, 3, 0.8}}, true},
+      {"slanting, beyond the end but for a far corner", {{-9, 3.6, -9}, {9, 5.4, -9}, {0, 4.5, 9}}, true},
+      {"slanting, its plane cuts the beam below the end", {{-9, 3.5, -9}, {9, 4, -9}, {0, 4, 9}}, false},
+      {"slanting, below the apex", {{-9, -0.1, -9}, {9, -2, -9}, {0, -2, 9}}, true},
+  };
+  for (const auto& row : rows)
+    for (const bool turned : {false, true}) {
+      INFO(row.name << (turned ? ", the other way round" : ""));
+      const glm::dvec3 corners[] = {row.corners[0], row.corners[turned ? 2 : 1], row.corners[turned ? 1 : 2]};
+      const oracle::Beam beam({0, 0, 0}, window, glm::dvec2(-0.5), glm::dvec2(0.5), 1e-11);
+      CHECK(beam.misses(corners) == row.missed);
+    }
+}
+
 TEST_CASE("the floor on which a beam stands is left out of it", "[shadow]") {
   Scene scene = dark_scene();
   add_object(scene, make_plane({.width = 100, .depth = 100}), 0, {.rotation_axis = {1, 0, 2}, .rotation_angle = 0.3f});
   const World world(scene);
   const oracle::Window window{.frame = oracle::view_frame({0, -1, 0}, {0, 1, 0}), .middle = {0, 4, 0}};
-  const double gap = 1e-11;
+  const double gap = 1e-10;  // what shadow rays start off a floor of 100 m
   const glm::dvec3 normal = glm::normalize(glm::dvec3(
       glm::rotate(glm::dmat4(1), double(scene.nodes[0].rotation_angle), glm::dvec3(1, 0, 2)) * glm::dvec4(0, 1, 0, 0)));
   const auto left = [&](const glm::dvec3& apex) {

@@ -103,4 +103,25 @@ TEST_CASE("a box's shadow begins at the box, at any scale", "[shadow]") {
     }
 }
 
+TEST_CASE("a surface does not hide a light that lies in it, at any scale", "[shadow]") {
+  for (const double size : sizes)
+    for (const glm::dvec3& shift : shifts) {
+      const Ground ground(size, shift, false);
+      const World world(ground.scene());
+      Dice dice;
+      for (int i = 0; i < 100; ++i) {
+        INFO("size " << size << ", shift " << shift.x << ", point " << i);
+        const double x = 8 * dice.next() - 4, z = 8 * dice.next() - 4;
+        const Light light{.type = LightType::spot,
+                          .position = ground.place({dice.next(), 0, dice.next()}),
+                          .direction = glm::vec3(ground.way({0, 1, 0}))};
+        const oracle::SurfacePoint above{.position = ground.place({x, 2, z}), .flat_normal = -ground.way({0, 1, 0})};
+        // Of a light with an extent one half would stand below: its direction is three floats, by which it leans.
+        const Shading hard{.shadows = Shadows::hard};
+        CHECK(visibility(world, above, light, hard) == 1);
+        CHECK(visibility(world, ground.floor_at(world, x, z), light, hard) == 1);
+      }
+    }
+}
+
 }  // namespace atelier::test
