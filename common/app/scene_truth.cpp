@@ -14,7 +14,7 @@ Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescr
     throw Error(
         "output 'depth' has no ground truth under camera.fit_depth: the planes that it is measured between are "
         "the renderer's own choice");
-  truth.scene.camera = apply(request.camera, truth.scene.camera);
+  truth.scene.camera = truth.camera ? *truth.camera : apply(request.camera, truth.scene.camera);
   oracle::PictureRequest wanted{
       .camera = truth.scene.camera,
       .size = request.size,

@@ -14,6 +14,7 @@ namespace atelier {
 /// data; which settings trade accuracy for speed, and so are passed over, is for the step to know.
 struct SceneTruth {
   Scene scene;                         ///< what triangles show exactly; its camera is the scene's own
+  std::optional<Camera> camera;        ///< from where it is seen, whatever the request says: a light, say
   std::vector<oracle::Shape> shapes;   ///< what they only approximate
   oracle::Shading shading;             ///< how surfaces look
   std::string output;                  ///< the oracle's, where the step's has another name; empty: the one asked for
