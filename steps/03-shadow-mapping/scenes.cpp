@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "03-shadow-mapping/cubes.hpp"
 #include "base/error.hpp"
 #include "scene/builder.hpp"
 #include "scene/builtin.hpp"
@@ -211,13 +212,15 @@ Scene scene_named(const std::string& name, const Settings& settings) {
   if (name == "penumbra") return penumbra(settings);
   if (name == "colonnade") return colonnade();
   if (name == "edges") return edges();
-  throw Error("scene '" + name + "': this program has teapot, grazing, table, three-spots, penumbra, colonnade, edges");
+  if (name == "cubes") return make_cubes_scene();
+  throw Error("scene '" + name +
+              "': this program has teapot, grazing, table, three-spots, penumbra, colonnade, edges, cubes");
 }
 
 }  // namespace
 
 std::vector<std::string> shadow_scene_names() {
-  return {"teapot", "grazing", "table", "three-spots", "penumbra", "colonnade", "edges"};
+  return {"teapot", "grazing", "table", "three-spots", "penumbra", "colonnade", "edges", "cubes"};
 }
 
 std::vector<SettingSpec> shadow_scene_settings() {
@@ -232,6 +235,10 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .low = 1e-3,
        .high = 1e5,
        .help = "how large the scene is built; the picture should not change"},
+      {.name = "scene.casters",
+       .fallback = std::string("flagged"),
+       .choices = {"flagged", "all"},
+       .help = "what casts shadows: the nodes that the scene says, or every node, as where no program knows better"},
       {.name = "grazing.angle",
        .fallback = 75.0,
        .low = 0,
@@ -248,6 +255,8 @@ std::vector<SettingSpec> shadow_scene_settings() {
 
 Scene make_shadow_scene(const std::string& name, const Settings& settings) {
   Scene scene = scene_named(name, settings);
+  if (settings.choice("scene.casters") == "all")
+    for (Node& node : scene.nodes) node.casts_shadow = true;
   if (const double turn = settings.real("light.turn"); turn != 0) turn_lights(scene, double(degrees(turn)));
   if (const double scale = settings.real("scene.scale"); scale != 1) enlarge(scene, scale);
   return scene;

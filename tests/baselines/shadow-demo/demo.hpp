@@ -1,0 +1,29 @@
+// The demos of LearnOpenGL's two chapters on shadows (Joey de Vries, learnopengl.com: "Shadow Mapping" and "Point
+// Shadows"), written anew from what they say: the same maps, boxes, biases and filters, and the same few calls. They
+// are what many programs begin with, and so what a better one is compared with.
+//
+// What differs from the chapters is what must not tell in a comparison: the target, the texture's format, the formula
+// of the light's reflection (step 02's) and, under the sun, the light's direction are those of the step's own scene.
+// Where the chapters waste time by the way (they clear the picture twice and ask for each uniform's place in each
+// frame), the demos do not.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "app/step_program.hpp"
+
+namespace atelier::shadow_demo {
+
+class Demo {
+ public:
+  virtual ~Demo() = default;
+  virtual const Scene& scene() const = 0;
+  /// The map, then the picture: its colour, or with `shadow_factor` the share of the light that arrives.
+  virtual void draw(const Frame& frame, bool shadow_factor) = 0;
+};
+
+/// Scene "cubes": one map of parallel light.
+std::unique_ptr<Demo> make_sun_demo(Gl& gl);
+
+}  // namespace atelier::shadow_demo

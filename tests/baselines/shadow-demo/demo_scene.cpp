@@ -1,0 +1,63 @@
+#include "shadow-demo/demo_scene.hpp"
+
+#include <cstddef>
+
+namespace atelier::shadow_demo {
+
+namespace {
+
+std::vector<Vertex> written_out(const Mesh& mesh) {
+  std::vector<Vertex> corners;
+  for (const std::uint32_t index : mesh.indices) corners.push_back(mesh.vertices[index]);
+  return corners;
+}
+
+GlTexture upload(Gl& gl, const Image& picture) {
+  GlTexture texture(gl);
+  gl.BindTexture(GL_TEXTURE_2D, texture.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, picture.width(), picture.height(), 0, GL_RGBA, GL_FLOAT, nullptr);
+  for (int y = 0; y < picture.height(); ++y)  // OpenGL's first row is the lowest
+    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, picture.height() - 1 - y, picture.width(), 1, GL_RGBA, GL_FLOAT,
+                     &picture.at(0, y));
+  gl.GenerateMipmap(GL_TEXTURE_2D);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  return texture;
+}
+
+}  // namespace
+
+DemoScene::DemoScene(Gl& gl, Scene scene) : scene_(std::move(scene)) {
+  for (const Mesh& mesh : scene_.meshes) {
+    const std::vector<Vertex> corners = written_out(mesh);
+    Drawn& drawn = meshes_.emplace_back(GlVertexArray(gl), GlBuffer(gl), GLsizei(corners.size()));
+    gl.BindVertexArray(drawn.vertex_array.id());
+    gl.BindBuffer(GL_ARRAY_BUFFER, drawn.corners.id());
+    gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(corners.size() * sizeof(Vertex)), corners.data(), GL_STATIC_DRAW);
+    const auto attribute = [&](GLuint location, GLint numbers, std::size_t offset) {
+      gl.EnableVertexAttribArray(location);
+      gl.VertexAttribPointer(location, numbers, GL_FLOAT, GL_FALSE, sizeof(Vertex),
+                             reinterpret_cast<const void*>(offset));
+    };
+    attribute(0, 3, offsetof(Vertex, position));
+    attribute(1, 3, offsetof(Vertex, normal));
+    attribute(2, 2, offsetof(Vertex, texcoord));
+  }
+  gl.BindVertexArray(0);
+  for (const glm::dmat4& model : world_matrices_exact(scene_.nodes)) models_.emplace_back(model);
+  texture_ = upload(gl, scene_.textures.at(std::size_t(material().diffuse_texture.value())).pixels);
+}
+
+void DemoScene::draw(Gl& gl, Uniforms& uniforms) const {
+  for (std::size_t node = 0; node < scene_.nodes.size(); ++node) {
+    const Drawn& mesh = meshes_[std::size_t(scene_.nodes[node].mesh.value())];
+    uniforms.set("u_model", models_[node]);
+    gl.BindVertexArray(mesh.vertex_array.id());
+    gl.DrawArrays(GL_TRIANGLES, 0, mesh.count);
+  }
+  gl.BindVertexArray(0);
+}
+
+}  // namespace atelier::shadow_demo

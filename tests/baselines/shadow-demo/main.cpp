@@ -1,0 +1,38 @@
+// shadow-demo: the demos as one program with a step's command line.
+#include "shadow-demo/demo.hpp"
+
+namespace atelier::shadow_demo {
+
+namespace {
+
+class ShadowDemo : public StepProgram {
+ public:
+  const StepDescription& description() const override { return description_; }
+  void open(Gl& gl, const Implementations&) override { gl_ = &gl; }
+
+  void load(const std::string& scene, const Settings&) override {
+    if (scene != "cubes") throw Error("scene '" + scene + "': shadow-demo has cubes");
+    if (!demo_) demo_ = make_sun_demo(*gl_);
+  }
+
+  Camera camera() const override { return demo_->scene().camera; }
+  void draw(const Frame& frame, const Settings&) override { demo_->draw(frame, frame.output == "shadow_factor"); }
+
+ private:
+  StepDescription description_{
+      .name = "shadow-demo",
+      .title = "LearnOpenGL's demos of shadows, rebuilt",
+      .scenes = {"cubes"},
+      .outputs = {{"colour", Encoding::linear, "what is seen"},
+                  {"shadow_factor", Encoding::data, "the share of the light that arrives: 1 lit, 0 in shadow"}}};
+  Gl* gl_ = nullptr;
+  std::unique_ptr<Demo> demo_;
+};
+
+}  // namespace
+
+}  // namespace atelier::shadow_demo
+
+extern "C" atelier::StepProgram* atelier_step_program() {
+  return new atelier::shadow_demo::ShadowDemo;
+}
