@@ -53,8 +53,14 @@ std::vector<SettingSpec> shadow_settings() {
        .help = "of the lights themselves: metres along a side, the tangent of a sun's angle; 0: points"},
       {.name = "shadow.fit",
        .fallback = std::string("scene"),
-       .choices = {"scene", "casters", "visible"},
-       .help = "what a map covers: all that casts or receives, what casts, or what of it matters to the picture"},
+       .choices = {"fixed", "scene", "casters", "visible"},
+       .help = "what a map covers: shadow.reach whatever the scene is, all that casts or receives, what casts, or what "
+               "of it matters to the picture"},
+      {.name = "shadow.reach",
+       .fallback = 10.0,
+       .low = 1e-3,
+       .high = 1e6,
+       .help = "metres around the world's origin that a map covers, where shadow.fit is fixed"},
       {.name = "shadow.update",
        .fallback = std::string("when-moved"),
        .choices = {"always", "when-moved"},
@@ -90,7 +96,8 @@ void ShadowedSurface::configure(const Settings& settings) {
   if (!random_) samples_ = int(std::sqrt(samples_ + 0.5)) * int(std::sqrt(samples_ + 0.5));
   light_width_ = settings.real("light.width");
   const std::string& fit = settings.choice("shadow.fit");
-  fit_ = fit == "scene" ? Fit::scene : fit == "casters" ? Fit::casters : Fit::visible;
+  fit_ = fit == "fixed" ? Fit::fixed : fit == "scene" ? Fit::scene : fit == "casters" ? Fit::casters : Fit::visible;
+  reach_ = float(settings.real("shadow.reach"));
   keep_ = settings.choice("shadow.update") == "when-moved";
   shown_light_ = settings.integer("shadow.light");
 }
@@ -138,8 +145,10 @@ float nearest_depth(std::span<const glm::dvec3> points, const LightFrustum& frus
 struct ShadowedSurface::Extents {
   std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; what is seen of receivers
   std::vector<NodePainter::Item> casting;
+  glm::vec3 origin;  ///< the world's, where the view is camera-relative
 
-  Extents(const Scene& scene, const Viewpoint& viewpoint, std::span<const NodePainter::Item> items, Fit fit) {
+  Extents(const Scene& scene, const Viewpoint& viewpoint, std::span<const NodePainter::Item> items, Fit fit)
+      : origin(-viewpoint.origin) {
     for (const NodePainter::Item& item : items) {
       if (item.box.empty()) continue;
       const std::vector<glm::dvec3> corners = corners_of(item);
@@ -150,9 +159,13 @@ struct ShadowedSurface::Extents {
   }
 };
 
+Sphere ShadowedSurface::covered(const Extents& extents) const {
+  if (fit_ == Fit::fixed) return {extents.origin, reach_};
+  return *sphere_around(fit_ == Fit::scene ? extents.all : extents.casters);
+}
+
 std::optional<LightFrustum> ShadowedSurface::fit_to_sun(const Light& light, const Extents& extents) const {
-  if (fit_ != Fit::visible)
-    return fit_sun(light.direction, *sphere_around(fit_ == Fit::scene ? extents.all : extents.casters));
+  if (fit_ != Fit::visible) return fit_sun(light.direction, covered(extents));
   const auto tight = fit_sun_to_both(light.direction, extents.casters, extents.seen);
   if (!tight) return {};
   return snap_to_texels(*tight, resolution_);
@@ -160,7 +173,7 @@ std::optional<LightFrustum> ShadowedSurface::fit_to_sun(const Light& light, cons
 
 std::optional<LightFrustum> ShadowedSurface::fit_to_spot(const Light& light, const glm::vec3& position,
                                                          const Extents& extents) const {
-  Sphere sphere = *sphere_around(fit_ == Fit::scene ? extents.all : extents.casters);
+  Sphere sphere = covered(extents);
   if (fit_ == Fit::visible) {
     const auto seen = sphere_around(extents.seen);
     if (!seen) return {};
@@ -291,9 +304,18 @@ int ShadowedSurface::map_of(int light) const {
   return -1;
 }
 
+std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number) {
+  std::string list;
+  for (const int light : lights) list += fmt::format("{}{}", list.empty() ? "" : ", ", number(light));
+  return list;
+}
+
 Defines ShadowedSurface::structure(bool receives) const {
   Defines d;
   d["SHADOW_LIGHTS"] = std::to_string(texture_ && receives ? maps_.size() : 0);
+  d["SPOT_MAPS"] = glsl_list(lit_.spots(), [this](int light) { return map_of(light); });
+  d["SUN_MAPS"] = glsl_list(lit_.suns(), [this](int light) { return map_of(light); });
+  d["POINT_MAPS"] = glsl_list(lit_.points(), [this](int light) { return map_of(light); });
   d["BIAS"] = std::to_string(bias_ == Bias::front_faces ? 0 : int(bias_));
   d["PCF"] = std::to_string(pcf_);
   if (bilinear_) d["COMPARE"] = "1";
@@ -305,7 +327,9 @@ Defines ShadowedSurface::structure(bool receives) const {
 Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
   const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
   if (!shown && (maps_.empty() || !texture_ || !node.receives_shadow)) return {};
-  return {.wanted = true, .structure = structure(node.receives_shadow)};
+  Need need{.wanted = true, .structure = structure(node.receives_shadow)};
+  if (shown) need.structure["SHOWN_MAP"] = std::to_string(map_of(shown_light_));
+  return need;
 }
 
 std::map<Slot, SlotCode> ShadowedSurface::slots() const {
@@ -337,14 +361,6 @@ void ShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpo
   // The products of matrices err by some ten units in the last place of a float near 1, whatever the format.
   binder.set("u_depth_step", 1e-6f + (format_ == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
   if (texture_) binder.texture("u_shadow_maps", texture_.id(), GL_TEXTURE_2D_ARRAY);
-  for (std::size_t i = 0; i < lit_.spots().size(); ++i)
-    binder.set(fmt::format("u_spot_maps[{}]", i), map_of(lit_.spots()[i]));
-  for (std::size_t i = 0; i < lit_.suns().size(); ++i)
-    binder.set(fmt::format("u_sun_maps[{}]", i), map_of(lit_.suns()[i]));
-  for (std::size_t i = 0; i < lit_.points().size(); ++i)
-    binder.set(fmt::format("u_point_maps[{}]", i), map_of(lit_.points()[i]));
-
-  binder.set("u_shown_map", map_of(shown_light_));
   if (shown_light_ < int(scene.lights.size())) {
     const Light& light = scene.lights[std::size_t(shown_light_)];
     const bool sun = light.type == LightType::directional;

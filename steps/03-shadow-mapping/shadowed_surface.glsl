@@ -2,28 +2,33 @@
 #include "02-blinn-phong/surface_lighting.glsl"
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
-// Which of u_shadow_lights a light is; -1: it has no map.
+// Which of u_shadow_lights a light is, -1: it has no map. Constants, because what the compiler knows it need not work out
+// for every pixel: which light's numbers to fetch, which layer to look up, whether there is a perspective.
 #if SPOT_LIGHTS > 0
-uniform int u_spot_maps[SPOT_LIGHTS];
+const int spot_maps[SPOT_LIGHTS] = int[](SPOT_MAPS);
 #endif
 #if DIRECTIONAL_LIGHTS > 0
-uniform int u_sun_maps[DIRECTIONAL_LIGHTS];
+const int sun_maps[DIRECTIONAL_LIGHTS] = int[](SUN_MAPS);
 #endif
-
 #if POINT_LIGHTS > 0
-uniform int u_point_maps[POINT_LIGHTS];  // of lamps whose casters fit one map: step 04
+const int point_maps[POINT_LIGHTS] = int[](POINT_MAPS);  // of lamps whose casters fit one map: step 04
 #endif
 
-float factor_of_map(int map, vec3 position, vec3 normal, vec3 to_light) {
+float factor_of_map(int map, bool sun, vec3 position, vec3 normal, vec3 to_light) {
 #if SHADOW_LIGHTS > 0
-  if (map >= 0) return shadow_factor(u_shadow_lights[map], position, normal, to_light);
+  if (map >= 0) {
+    ShadowLight light = u_shadow_lights[map];
+    light.layer = map;
+    light.sun = sun;
+    return shadow_factor(light, position, normal, to_light);
+  }
 #endif
   return 1.0;
 }
 
 float spot_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if SPOT_LIGHTS > 0
-  return factor_of_map(u_spot_maps[light], position, normal, to_light);
+  return factor_of_map(spot_maps[light], false, position, normal, to_light);
 #else
   return 1.0;
 #endif
@@ -31,7 +36,7 @@ float spot_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 
 float sun_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if DIRECTIONAL_LIGHTS > 0
-  return factor_of_map(u_sun_maps[light], position, normal, to_light);
+  return factor_of_map(sun_maps[light], true, position, normal, to_light);
 #else
   return 1.0;
 #endif
@@ -39,7 +44,7 @@ float sun_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 
 float point_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if POINT_LIGHTS > 0
-  return factor_of_map(u_point_maps[light], position, normal, to_light);
+  return factor_of_map(point_maps[light], false, position, normal, to_light);
 #else
   return 1.0;
 #endif
@@ -50,11 +55,11 @@ vec3 shade_shadowed_surface(Surface surface) {
          shade_with_shadows(surface.position_world, surface.normal_world, surface.eye_world, material_at(surface));
 }
 
-// ---- Intermediates: of the light that shadow.light chooses
+// ---- Intermediates: of the light that shadow.light chooses, whose map is SHOWN_MAP (-1: none)
 
-uniform int u_shown_map;        // which of u_shadow_lights, or -1
-uniform vec3 u_shown_position;  // of the light
-uniform vec3 u_shown_direction; // towards it, where it is a sun; else zero
+#ifdef SHOWN_MAP
+uniform vec3 u_shown_position;   // of the light
+uniform vec3 u_shown_direction;  // towards it, where it is a sun; else zero
 
 vec3 unit_or_zero(vec3 v) {
   float length_squared = dot(v, v);
@@ -63,13 +68,15 @@ vec3 unit_or_zero(vec3 v) {
 
 vec3 shown_shadow_factor(Surface surface) {
   vec3 position = surface.position_world, to_light = u_shown_direction;
-  if (to_light == vec3(0.0)) to_light = unit_or_zero(u_shown_position - position);
-  return vec3(factor_of_map(u_shown_map, position, unit_or_zero(surface.normal_world), to_light));
+  bool sun = to_light != vec3(0.0);
+  if (!sun) to_light = unit_or_zero(u_shown_position - position);
+  return vec3(factor_of_map(SHOWN_MAP, sun, position, unit_or_zero(surface.normal_world), to_light));
 }
 
 vec3 shown_shadow_coordinate(Surface surface) {
 #if SHADOW_LIGHTS > 0
-  if (u_shown_map >= 0) return shadow_coordinate(u_shadow_lights[u_shown_map].world_to_map, surface.position_world);
+  if (SHOWN_MAP >= 0) return shadow_coordinate(u_shadow_lights[SHOWN_MAP].world_to_map, surface.position_world);
 #endif
   return vec3(0.0);
 }
+#endif

@@ -1,6 +1,10 @@
 // Shadow maps, as a feature of the renderer: which lights get one, what it is fitted to, and when it is drawn. Given.
 #pragma once
 
+#include <functional>
+#include <span>
+#include <string>
+
 #include "02-blinn-phong/lit_surface.hpp"
 #include "03-shadow-mapping/shadow_mapping.hpp"
 #include "render/feature.hpp"
@@ -9,6 +13,9 @@ namespace atelier {
 
 /// The settings of this step that belong to shadows (not to the scene).
 std::vector<SettingSpec> shadow_settings();
+
+/// The numbers of these lights (of a map, of a cube) as the shader lists them: "0, -1, 1".
+std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
 
 class ShadowedSurface : public Feature {
  public:
@@ -45,7 +52,7 @@ class ShadowedSurface : public Feature {
 
  private:
   enum class Bias { none, constant, slope, normal_offset, plane, front_faces };
-  enum class Fit { scene, casters, visible };
+  enum class Fit { fixed, scene, casters, visible };
   /// A light with a map.
   struct Mapped {
     int light = 0;  ///< index into Scene::lights
@@ -61,6 +68,7 @@ class ShadowedSurface : public Feature {
                                 const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_spot(const Light& light, const glm::vec3& position,
                                                           const Extents& extents) const;
+  shadow_mapping::Sphere covered(const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
   void make_room(Gl& gl);
   void draw_map(Gl& gl, int layer, NodePainter& painter);
@@ -71,7 +79,7 @@ class ShadowedSurface : public Feature {
   GLenum format_ = GL_DEPTH_COMPONENT24;
   Bias bias_ = Bias::normal_offset;
   Fit fit_ = Fit::scene;
-  float bias_size_ = 1;
+  float bias_size_ = 1, reach_ = 10;
   double light_width_ = 0;
   bool bilinear_ = false, pcss_ = false, random_ = false, keep_ = true;
 

@@ -255,6 +255,8 @@ Need PointShadowedSurface::need(const Scene& scene, const View& view, const Node
   if (!need.wanted && !cubes) return {};
   if (!need.wanted) need = {.wanted = true, .structure = structure(node.receives_shadow)};
   need.structure["CUBES"] = std::to_string(cubes ? cubes_.size() : 0);
+  need.structure["POINT_CUBES"] = glsl_list(lit().points(), [this](int light) { return cube_of(light); });
+  if (need.structure.contains("SHOWN_MAP")) need.structure["SHOWN_CUBE"] = std::to_string(cube_of(shown_light()));
   return need;
 }
 
@@ -278,9 +280,6 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene& scene, const V
     if (i < rooms_.size() && rooms_[i].texture)
       binder.texture(fmt::format("u_cube_{}", i), rooms_[i].texture.id(), GL_TEXTURE_CUBE_MAP);
   }
-  for (std::size_t i = 0; i < lit().points().size(); ++i)
-    binder.set(fmt::format("u_point_cubes[{}]", i), cube_of(lit().points()[i]));
-  binder.set("u_shown_cube", cube_of(shown_light()));
 }
 
 }  // namespace atelier

@@ -2,9 +2,9 @@
 #include "03-shadow-mapping/shadowed_surface.glsl"
 #include "04-point-shadows/point_shadows.glsl"
 
-// Which of u_cube_lights a point light is; -1: it has no cube.
+// Which of u_cube_lights a point light is, -1: it has no cube.
 #if POINT_LIGHTS > 0
-uniform int u_point_cubes[POINT_LIGHTS];
+const int point_cubes[POINT_LIGHTS] = int[](POINT_CUBES);
 #endif
 
 float factor_of_cube(int cube, vec3 position, vec3 normal, vec3 to_light) {
@@ -16,29 +16,29 @@ float factor_of_cube(int cube, vec3 position, vec3 normal, vec3 to_light) {
 
 float point_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if POINT_LIGHTS > 0
-  if (u_point_cubes[light] >= 0) return factor_of_cube(u_point_cubes[light], position, normal, to_light);
+  if (point_cubes[light] >= 0) return factor_of_cube(point_cubes[light], position, normal, to_light);
   return point_visibility_by_map(light, position, normal, to_light);
 #else
   return 1.0;
 #endif
 }
 
-// ---- Intermediates: of the light that shadow.light chooses
+// ---- Intermediates: of the light that shadow.light chooses, whose cube is SHOWN_CUBE (-1: none)
 
-uniform int u_shown_cube;  // which of u_cube_lights, or -1
-
+#ifdef SHOWN_CUBE
 vec3 shown_factor(Surface surface) {
   vec3 position = surface.position_world;
-  if (u_shown_cube < 0) return shown_shadow_factor(surface);
-  return vec3(factor_of_cube(u_shown_cube, position, unit_or_zero(surface.normal_world),
+  if (SHOWN_CUBE < 0) return shown_shadow_factor(surface);
+  return vec3(factor_of_cube(SHOWN_CUBE, position, unit_or_zero(surface.normal_world),
                              unit_or_zero(u_shown_position - position)));
 }
 
 // The way from the lamp, as a share of `far`.
 vec3 shown_coordinate(Surface surface) {
 #if CUBES > 0
-  if (u_shown_cube >= 0)
-    return (surface.position_world - u_cube_lights[u_shown_cube].position) / u_cube_lights[u_shown_cube].far;
+  if (SHOWN_CUBE >= 0)
+    return (surface.position_world - u_cube_lights[SHOWN_CUBE].position) / u_cube_lights[SHOWN_CUBE].far;
 #endif
   return shown_shadow_coordinate(surface);
 }
+#endif
