@@ -3,6 +3,8 @@
 #
 #   handouts/pictures/make.sh [BUILD_FOLDER]     (build/release by default; needs ImageMagick)
 #
+# An animation stands at the end: the light that goes round in step 03.
+#
 # The small pictures of mistakes are those that the judge compares answers with: tests/cases/*/atlas.
 set -euo pipefail
 
@@ -26,6 +28,21 @@ single() { cp "$scratch/$1.png" "$out/$1.png"; }
 
 # pair NAME LEFT RIGHT
 pair() { convert "$scratch/$2.png" "$scratch/$3.png" -background white +smush 8 "$out/$1.png"; }
+
+# sheet NAME COLUMNS PICTURE=LABEL...: a labelled sheet of pictures of one size
+sheet() {
+  local name=$1 columns=$2 tile arguments=()
+  shift 2
+  for tile in "$@"; do arguments+=(-label "${tile#*=}" "$scratch/${tile%%=*}.png"); done
+  montage -font DejaVu-Sans -pointsize 11 -geometry +3+3 -tile "${columns}x" "${arguments[@]}" "$out/$name.png"
+}
+
+# part GEOMETRY NAME...: what remains of pictures
+part() {
+  local geometry=$1 name
+  shift
+  for name in "$@"; do mogrify -crop "$geometry" +repage "$scratch/$name.png"; done
+}
 
 # mistakes STEP NAME CASE--MISTAKE...: a labelled sheet
 mistakes() {
@@ -72,3 +89,51 @@ mistakes $step 02-mistakes sphere--{eye-at-origin,missing-n-dot-l,no-attenuation
   facets--normal-not-normalised backlight--specular-from-behind spots--{cone-inverted,cone-axis-sign,cone-hard} \
   lights--lights-overwrite tiles--{no-mipmaps,texture-upside-down} encoded--{gamma-missing,gamma-twice} \
   copper--specular-grey sphere--to-light-reversed
+
+step=03-shadow-mapping
+draw 03-teapot $step --scene teapot --set shadow.fit=casters && single 03-teapot
+draw 03-edges $step --scene edges && single 03-edges
+draw stripes $step --scene grazing --set shadow.bias=none shadow.resolution=128
+draw moire $step --scene teapot --set shadow.bias=none && pair 03-acne stripes moire
+draw contact $step --scene table --set shadow.resolution=256 shadow.bias=constant shadow.bias_size=2
+draw gap $step --scene table --set shadow.resolution=256 shadow.bias=constant shadow.bias_size=16
+pair 03-panning contact gap
+
+size=180x180
+draw map $step --scene teapot --set shadow.fit=casters --output shadow_map
+size=240x180
+for output in shadow_coordinate shadow_factor colour; do
+  draw $output $step --scene teapot --set shadow.fit=casters --output $output
+done
+sheet 03-stages 4 map=shadow_map shadow_coordinate shadow_factor colour
+
+size=480x360
+for bias in none constant slope normal plane front-faces; do
+  draw $bias $step --scene table --set shadow.resolution=128 shadow.bias=$bias
+done
+draw fine $step --scene table --set shadow.resolution=512 && draw table-truth $step --scene table --truth
+part 240x180+110+40 none constant slope normal plane front-faces fine table-truth
+sheet 03-biases 4 none constant slope normal plane front-faces fine="normal, 512 texels" table-truth=truth
+filter() { draw "$1" $step --scene table --set shadow.resolution=256 "${@:2}"; }
+filter nearest && filter bilinear shadow.filter=bilinear
+filter pcf5 shadow.pcf=5 && filter both shadow.pcf=5 shadow.filter=bilinear
+part 240x150+0+160 nearest bilinear pcf5 both
+sheet 03-filters 4 nearest bilinear pcf5="nearest, 5 x 5" both="bilinear, 5 x 5"
+soft() { draw "$1" $step --scene table --set light.width=0.4 "${@:2}"; }
+soft fixed shadow.pcf=15 && soft pcss shadow.soft=pcss shadow.samples=64
+soft random shadow.soft=pcss shadow.samples=64 shadow.pattern=random && soft soft-truth --truth
+part 240x150+0+160 fixed pcss random soft-truth
+sheet 03-soft 4 fixed="pcf, 15 x 15" pcss="pcss, grid of 64" random="pcss, 64 random" soft-truth=truth
+
+size=240x180
+across=(--scene colonnade --eye 1,1.7,1.9 --target -1.6,0.2,1.2)
+for fit in scene casters visible; do
+  draw $fit $step "${across[@]}" --set shadow.fit=$fit
+  size=180x180 draw map-$fit $step "${across[@]}" --set shadow.fit=$fit --output shadow_map
+done
+sheet 03-fits 3 map-scene="map of scene" map-casters="of casters" map-visible="of visible" scene casters visible
+
+# The light goes round.
+(cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --scene three-spots \
+  --size 240x180 --record "$out/03-light-turn.gif" --frames 36 --vary light.turn=0..360 \
+  --eye 1.8,3.6,5.6 --target 0,0.8,0 --set shadow.filter=bilinear shadow.pcf=3)
