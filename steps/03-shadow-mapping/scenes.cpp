@@ -94,6 +94,8 @@ Scene table() {
 Scene three_spots() {
   Scene scene = make_builtin_scene("robot");
   scene.name = "three-spots";
+  for (Node& node : scene.nodes)
+    if (node.name == "ground") node.casts_shadow = false;  // nothing lies below it
   scene.lights.clear();
   scene.ambient = glm::vec3(0.05f);
   add_light(scene, spot_at("white", {0.3, 4.2, 3.4}, {0, 0.9, 0}, 32, glm::vec3(0.55f)));
