@@ -20,7 +20,7 @@ void print_table(const std::vector<Figure>& figures) {
                f.limit > 0 ? fmt::format("{:.0f} % of {}", 100 * f.seconds / f.limit, ms(f.limit)) : "-", f.detail);
 }
 
-void print_json(const std::vector<Figure>& figures) {
+void print_json(const std::vector<Figure>& figures, const std::optional<BaselineTable>& table) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Figure& f : figures)
     list.push_back({{"name", f.name},
@@ -29,13 +29,15 @@ void print_json(const std::vector<Figure>& figures) {
                     {"least", f.least},
                     {"most", f.most},
                     {"aim", f.limit > 0 ? nlohmann::ordered_json(f.limit) : nullptr}});
-  fmt::print("{}\n", nlohmann::ordered_json{{"figures", list}}.dump(2));
+  nlohmann::ordered_json all = {{"figures", list}};
+  if (table) all["baseline"] = baseline_as_json(*table);
+  fmt::print("{}\n", all.dump(2));
 }
 
 }  // namespace
 
-Figure measure(std::string name, std::string detail, int repeats, const std::function<void()>& action,
-               const std::function<void()>& prepare) {
+Figure time_runs(std::string name, std::string detail, int repeats, const std::function<void()>& action,
+                 const std::function<void()>& prepare) {
   using Clock = std::chrono::steady_clock;
   std::vector<double> seconds;
   for (int i = 0; i < repeats; ++i) {
@@ -55,10 +57,21 @@ Figure measure(std::string name, std::string detail, int repeats, const std::fun
 int run_bench(const BenchOptions& options) {
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
-  std::vector<Figure> figures = bench_commands(folders, course, resolve_step(course, options.step), options.repeats);
-  const std::vector<Figure> parts = bench_parts(options.repeats);
-  figures.insert(figures.end(), parts.begin(), parts.end());
-  options.json ? print_json(figures) : print_table(figures);
+  const CourseStep& step = resolve_step(course, options.step);
+  std::vector<Figure> figures;
+  if (!options.baseline) {
+    figures = bench_commands(folders, course, step, options.repeats);
+    const std::vector<Figure> parts = bench_parts(options.repeats);
+    figures.insert(figures.end(), parts.begin(), parts.end());
+  }
+  const std::optional<BaselineTable> table = bench_baseline(folders, step, options.repeats);
+  if (options.baseline && !table) throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
+  if (options.json) {
+    print_json(figures, table);
+  } else {
+    if (!figures.empty()) print_table(figures);
+    if (table) print_baseline(*table);
+  }
   return exit_ok;
 }
 

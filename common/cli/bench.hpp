@@ -2,11 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
+#include "measure/baseline.hpp"
 
 namespace atelier {
 
@@ -20,8 +23,8 @@ struct Figure {
 };
 
 /// Runs `action` `repeats` times, after `prepare` each time, whose own time does not count.
-Figure measure(std::string name, std::string detail, int repeats, const std::function<void()>& action,
-               const std::function<void()>& prepare = {});
+Figure time_runs(std::string name, std::string detail, int repeats, const std::function<void()>& action,
+                 const std::function<void()>& prepare = {});
 
 /// The commands of a student's loop on one step: an edit of each kind of file, the launcher, the program's start, the
 /// shader compiler with and without its optimiser.
@@ -30,5 +33,15 @@ std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vec
 
 /// The parts within this process: contexts and comparisons.
 std::vector<Figure> bench_parts(int repeats);
+
+/// A step's frames beside those of a baseline program, in `repeats` rounds.
+struct BaselineTable {
+  measure::BaselinePlan plan;
+  std::vector<measure::Compared> rows;  ///< the baseline, then those of the plan
+};
+/// None where the step has no baseline.json, as in a release. Throws Error where the baseline's program is not built.
+std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats);
+void print_baseline(const BaselineTable& table);
+nlohmann::ordered_json baseline_as_json(const BaselineTable& table);
 
 }  // namespace atelier

@@ -81,7 +81,7 @@ std::vector<Figure> bench_edits(const ProjectFolders& folders, const std::vector
   const auto add = [&](const char* name, const char* ending, double limit, const std::function<void()>& judge) {
     const fs::path file = file_with(step, ending);
     if (file.empty()) return;
-    figures.push_back(measure(name, detail, repeats, judge, [&] { cold(), edit(copy.path() / step.name / file); }));
+    figures.push_back(time_runs(name, detail, repeats, judge, [&] { cold(), edit(copy.path() / step.name / file); }));
     figures.back().limit = limit;
   };
   const auto by_check = [&] { must_run(check); };
@@ -94,21 +94,21 @@ std::vector<Figure> bench_edits(const ProjectFolders& folders, const std::vector
   by_watch();  // as in a session that has begun: references are in memory
   add("save to verdict in watch, GLSL", ".glsl", 0.5, by_watch);
   add("save to verdict in watch, C++", ".cpp", 1.0, by_watch);
-  figures.push_back(measure("nothing changed", fmt::format("{} cases, warm shader cache", cases.size()), repeats,
-                            [&] { must_run(check); }));
+  figures.push_back(time_runs("nothing changed", fmt::format("{} cases, warm shader cache", cases.size()), repeats,
+                              [&] { must_run(check); }));
   return figures;
 }
 
 std::vector<Figure> bench_start(const ProjectFolders& folders, const CourseStep& step, int repeats) {
   const std::string launcher = (folders.root / "atelier").string(),
                     program = (folders.build / "bin" / "atelier").string();
-  Figure with = measure("launcher", "./atelier list less the program alone: nothing to build", repeats, [&] {
+  Figure with = time_runs("launcher", "./atelier list less the program alone: nothing to build", repeats, [&] {
     must_run({launcher, "list"});
   });
-  const Figure without = measure("", "", repeats, [&] { must_run({program, "list"}); });
+  const Figure without = time_runs("", "", repeats, [&] { must_run({program, "list"}); });
   with.seconds -= without.seconds, with.least -= without.seconds, with.most -= without.seconds;
   with.limit = 0.2;
-  const Figure start = measure("start of a step program", "--list", repeats, [&] {
+  const Figure start = time_runs("start of a step program", "--list", repeats, [&] {
     must_run({folders.program(step.name).string(), "--list", "--implementations",
               search_path(folders, step.name, code_of(folders, Owner::solution), {}).to_string()});
   });
@@ -129,7 +129,7 @@ std::vector<Figure> bench_shaders(const ProjectFolders& folders, const CourseSte
   std::vector<Figure> figures;
   for (const bool optimised : {false, true}) {
     settings.environment["GALLIVM_PERF"] = optimised ? "" : "nopt";
-    figures.push_back(measure(
+    figures.push_back(time_runs(
         optimised ? "drawing, shaders optimised" : "drawing, shaders as they are",
         fmt::format("{} cases, two workers, cold shader cache", cases.size()), repeats,
         [&] { judge::run_cases(settings, asks); }, [&] { fs::remove_all(settings.shader_cache); }));

@@ -31,7 +31,7 @@ void bench_oracle(int repeats, std::vector<Figure>& figures) {
   const oracle::World world(scene);
   const int side = 512;
   const auto traced = [&](const char* name, oracle::Output output, oracle::Shadows shadows, const char* unit) {
-    Figure figure = measure(name, "", repeats, [&] {
+    Figure figure = time_runs(name, "", repeats, [&] {
       oracle::trace(world,
                     {.camera = scene.camera, .size = {side, side}, .output = output, .shading = {.shadows = shadows}});
     });
@@ -48,11 +48,11 @@ void bench_oracle(int repeats, std::vector<Figure>& figures) {
 std::vector<Figure> bench_parts(int repeats) {
   std::vector<Figure> figures;
   figures.push_back(
-      measure("context, OSMesa", "made and unmade", repeats, [] { make_headless_context(ContextKind::osmesa); }));
+      time_runs("context, OSMesa", "made and unmade", repeats, [] { make_headless_context(ContextKind::osmesa); }));
 
   const Image yours = test_picture(512, 512, 0.5f / 255), reference = test_picture(512, 512, 0);
   figures.push_back(
-      measure("strict comparison", "512x512, encoding of both and the fitted shift included", repeats, [&] {
+      time_runs("strict comparison", "512x512, encoding of both and the fitted shift included", repeats, [&] {
         const Image a = encode_for_comparison(yours), b = encode_for_comparison(reference);
         compare_strict(a, b, Measure::level, 3);
         fit_shift(a, b);
@@ -61,8 +61,8 @@ std::vector<Figure> bench_parts(int repeats) {
 
   const Image large = test_picture(1920, 1080, 4.0f / 255), other = test_picture(1920, 1080, 0);
   for (const int threads : {1, 2}) {
-    figures.push_back(measure(threads == 1 ? "FLIP, one thread" : "FLIP, two threads", "1920x1080", repeats,
-                              [&] { flip(other, large, {.threads = threads}); }));
+    figures.push_back(time_runs(threads == 1 ? "FLIP, one thread" : "FLIP, two threads", "1920x1080", repeats,
+                                [&] { flip(other, large, {.threads = threads}); }));
     // Half of what NVIDIA's own tool takes on the same cores.
     figures.back().limit = threads == 1 ? 0.28 : 0.16;
   }

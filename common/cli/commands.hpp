@@ -123,6 +123,7 @@ int run_skeleton(const SkeletonOptions& options);
 struct BenchOptions {
   std::string step = "02";
   int repeats = 5;
+  bool baseline = false;  ///< only the frames beside those of a baseline
   bool json = false;
 };
 int run_bench(const BenchOptions& options);

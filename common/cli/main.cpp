@@ -225,6 +225,7 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   bench->add_option("--repeats", options.bench.repeats, "Runs a figure; the median counts")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  bench->add_flag("--baseline", options.bench.baseline, "Only the step's frames beside those of a baseline");
   add_json(bench, options.bench.json);
 
   describe_measure(interface, options.measure);

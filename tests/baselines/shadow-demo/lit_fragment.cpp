@@ -47,7 +47,8 @@ std::string lit_fragment(const std::string& shadow, bool shadow_factor) {
 
 void begin_picture(Gl& gl, const Frame& frame, const Scene& scene) {
   frame.target.bind(gl);
-  gl.ClearColor(scene.background.r, scene.background.g, scene.background.b, 1);
+  const glm::vec3 background = frame.output == "colour" ? scene.background : glm::vec3(0);
+  gl.ClearColor(background.r, background.g, background.b, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 

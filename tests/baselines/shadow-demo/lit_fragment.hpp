@@ -20,7 +20,7 @@ Program build(Gl& gl, const std::string& vertex, const std::string& fragment, co
 /// map as u_map; v_position, v_normal and v_texcoord come from the vertex shader. Writes the colour or 1 - shadow.
 std::string lit_fragment(const std::string& shadow, bool shadow_factor);
 
-/// Binds and clears the frame's target.
+/// Binds the frame's target and clears it: to the scene's background, or where no colours are drawn to black.
 void begin_picture(Gl& gl, const Frame& frame, const Scene& scene);
 
 /// Takes the program in use and sets all that does not belong to a node or to the light's map: camera, light, material,

@@ -1,0 +1,136 @@
+#include "measure/baseline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "case/strict_json.hpp"
+#include "image/error.hpp"
+
+namespace atelier::measure {
+namespace {
+
+using strict_json::Json;
+
+constexpr std::size_t plan_limit = 1 << 16;  ///< bytes
+
+BaselineRow row_of(const Json& json, const std::string& where) {
+  strict_json::refuse_unknown(json, {"name", "settings", "aim", "no_larger_error"}, where);
+  BaselineRow row;
+  row.name = strict_json::text(strict_json::required(json, "name", where), where + ": name", 60);
+  // Settings are read as those of a case are.
+  const Json picture = {{"name", "row"}, {"scene", "any"}, {"settings", json.value("settings", Json::object())}};
+  row.settings = parse_case(picture, where).settings;
+  if (const Json* aim = strict_json::optional(json, "aim"))
+    row.aim = strict_json::number(*aim, where + ": aim", 0.1, 100);
+  if (const Json* flag = strict_json::optional(json, "no_larger_error"))
+    row.no_larger_error = strict_json::flag(*flag, where + ": no_larger_error");
+  return row;
+}
+
+/// How one round went: the baseline's seconds a frame, and the row's.
+struct Pair {
+  double baseline = 0, row = 0;
+};
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+Case picture_of(const BaselinePlan& plan, const std::string& output, const BaselineRow* row) {
+  Case picture{.name = "picture", .scene = plan.scene, .size = plan.size, .output = output};
+  if (row) picture.settings = row->settings;
+  return picture;
+}
+
+class Comparison {
+ public:
+  Comparison(const BaselinePlan& plan, const Program& step, const Program& baseline)
+      : plan_(plan), step_(step), baseline_(baseline) {
+    colour_ = trace(step, {picture_of(plan, "colour", nullptr)}, plan.samples).front();
+    shadow_ = trace(step, {picture_of(plan, plan.shadow, nullptr)}, 1).front();
+  }
+
+  double seconds(const BaselineRow* row, int frames) const {
+    return drawn(row, "colour", frames).cost.times.value().median;
+  }
+
+  /// A row, or without one the baseline: its errors; no times yet.
+  Compared errors(const BaselineRow* row) const {
+    return {.name = row ? row->name : plan_.program,
+            .rmse = error_of(drawn(row, "colour", 0).picture, colour_, ErrorMetric::rmse),
+            .wrong = error_of(drawn(row, plan_.shadow, 0).picture, shadow_, ErrorMetric::wrong, Encoding::data)};
+  }
+
+ private:
+  Drawn drawn(const BaselineRow* row, const std::string& output, int frames) const {
+    return std::move(draw(row ? step_ : baseline_, {picture_of(plan_, output, row)}, frames).front());
+  }
+
+  const BaselinePlan& plan_;
+  const Program &step_, &baseline_;
+  Image colour_, shadow_;
+};
+
+}  // namespace
+
+BaselinePlan read_baseline_plan(const std::filesystem::path& file) {
+  const std::string where = file.string();
+  const Json json = strict_json::parse(read_file(file, plan_limit), where);
+  strict_json::refuse_unknown(json, {"baseline", "scene", "size", "shadow", "samples", "rows"}, where);
+  const auto member = [&](const char* name) { return strict_json::required(json, name, where); };
+  BaselinePlan plan;
+  plan.program = strict_json::name(member("baseline"), where + ": baseline");
+  plan.scene = strict_json::name(member("scene"), where + ": scene");
+  const std::vector<double> size = strict_json::vector(member("size"), where + ": size", 2);
+  for (int i = 0; i < 2; ++i)
+    plan.size[i] = strict_json::whole(Json(int(size[std::size_t(i)])), where + ": size", 1, 4096);
+  plan.shadow = strict_json::name(member("shadow"), where + ": shadow", "-_");
+  plan.samples = strict_json::whole(member("samples"), where + ": samples", 1, 64);
+  const Json rows = member("rows");
+  if (!rows.is_array() || rows.empty()) strict_json::refuse(rows, where + ": rows", "a list of at least one row");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    plan.rows.push_back(row_of(rows[i], fmt::format("{}: row {}", where, i + 1)));
+  return plan;
+}
+
+std::vector<Compared> compare_with_baseline(const BaselinePlan& plan, const Program& step, const Program& baseline,
+                                            int rounds, int frames) {
+  const Comparison comparison(plan, step, baseline);
+  std::vector<std::vector<Pair>> pairs(plan.rows.size());
+  for (int round = 0; round < rounds; ++round)
+    for (std::size_t row = 0; row < plan.rows.size(); ++row) {
+      const double before = comparison.seconds(nullptr, frames);
+      pairs[row].push_back({before, comparison.seconds(&plan.rows[row], frames)});
+    }
+
+  std::vector<Compared> all = {comparison.errors(nullptr)};
+  std::vector<double> of_baseline;
+  for (std::size_t row = 0; row < plan.rows.size(); ++row) {
+    Compared compared = comparison.errors(&plan.rows[row]);
+    std::vector<double> seconds, ratios;
+    for (const Pair& pair : pairs[row]) {
+      of_baseline.push_back(pair.baseline);
+      seconds.push_back(pair.row);
+      ratios.push_back(pair.baseline / pair.row);
+    }
+    compared.seconds = median(seconds);
+    compared.ratio = median(ratios);
+    compared.least = *std::min_element(ratios.begin(), ratios.end());
+    compared.most = *std::max_element(ratios.begin(), ratios.end());
+    all.push_back(std::move(compared));
+  }
+  all.front().seconds = median(of_baseline);
+  return all;
+}
+
+bool reaches_aim(const BaselineRow& row, const Compared& compared, const Compared& baseline) {
+  constexpr double equal = 1.01;
+  const bool as_true = compared.rmse <= equal * baseline.rmse && compared.wrong <= equal * baseline.wrong;
+  return compared.ratio >= row.aim && (as_true || !row.no_larger_error);
+}
+
+}  // namespace atelier::measure
