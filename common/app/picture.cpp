@@ -92,6 +92,7 @@ std::vector<Numbers> Painter::probe(const Case& values) {
   ProbeContext probe_context{gl(), shader_probe_};
   std::vector<Numbers> results;
   for (const Arguments& arguments : values.inputs) results.push_back(found->second(probe_context, arguments));
+  check_gl_error(gl(), ("probe " + values.probe).c_str());  // or the next case would be blamed
   return results;
 }
 

@@ -124,8 +124,8 @@ class Feature {
   /// Called where the scene's nodes or lights have moved since `prepare`.
   virtual void moved(const Scene&) {}
 
-  /// Draws what the view needs beforehand, into targets of the feature's own. Called once before each frame; leaves the
-  /// state of culling, depth test, colour mask and viewport as it likes.
+  /// Draws what the view needs beforehand, into targets of the feature's own. Called once before each frame, with
+  /// OpenGL's usual state; may leave it as it likes.
   virtual void draw_before(Gl&, const Scene&, const Viewpoint&, NodePainter&) {}
 
   /// Asked for each node with a mesh in each view.

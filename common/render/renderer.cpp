@@ -114,7 +114,8 @@ Renderer::Program& Renderer::program(std::map<Key, Program>& programs, const Key
 }
 
 template <class Key>
-std::string Renderer::reload_changed(std::map<Key, Program>& programs) {
+Renderer::Reloaded Renderer::reload_changed(std::map<Key, Program>& programs) {
+  Reloaded reloaded;
   for (auto& [key, program] : programs)
     for (auto& [file, seen] : program.files) {
       std::error_code gone;
@@ -122,17 +123,21 @@ std::string Renderer::reload_changed(std::map<Key, Program>& programs) {
       if (gone || now == seen) continue;
       try {
         program = build(key);
+        reloaded.any = true;
       } catch (const Error& error) {
-        return error.what();
+        reloaded.words = error.what();
+        return reloaded;
       }
       break;  // `files` is a new map now
     }
-  return {};
+  return reloaded;
 }
 
 std::string Renderer::reload_changed_shaders() {
-  const std::string words = reload_changed(programs_), words_of_passes = reload_changed(pass_programs_);
-  return words.empty() ? words_of_passes : words;
+  const Reloaded surfaces = reload_changed(programs_), passes = reload_changed(pass_programs_);
+  if (passes.any && scene_)  // what was drawn with the old ones must not be kept
+    for (auto& feature : features_) feature->moved(*scene_);
+  return surfaces.words.empty() ? passes.words : surfaces.words;
 }
 
 SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
@@ -208,18 +213,27 @@ bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
                                              depth_from_zero(viewpoint.view));
 }
 
+/// Undoes what the frame before, a feature's passes or a student's function may have left.
+void Renderer::clear_state() {
+  if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+  gl_.DepthRange(0, 1);
+  gl_.DepthMask(GL_TRUE);
+  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl_.CullFace(GL_BACK);
+  for (const GLenum what : {GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST})
+    gl_.Disable(what);
+}
+
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   const View& view = viewpoint.view;
   if (view.reversed_depth && !gl_.ClipControl.call)
     throw Error("reversed depth needs glClipControl (OpenGL 4.5 or ARB_clip_control), which this driver lacks");
+  clear_state();
   target.bind(gl_);
   const bool from_zero = depth_from_zero(view);
   if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GLenum(from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
   gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
-  gl_.DepthMask(GL_TRUE);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_.CullFace(GL_BACK);
-  gl_.Disable(GL_DEPTH_CLAMP);
   gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);
   const glm::vec3 background = view.output == "colour" ? scene_->background : glm::vec3(0);
   gl_.ClearColor(background.r, background.g, background.b, 1);
@@ -300,6 +314,7 @@ void Renderer::render(const View& view, const Target& target) {
   counts_ = {};
   const Viewpoint viewpoint = look(view, target);
   place(viewpoint);
+  clear_state();
   for (const auto& feature : features_) feature->draw_before(gl_, *scene_, viewpoint, *this);
   begin(viewpoint, target);
   if (!drawn_instead(view, target)) draw_all(viewpoint);

@@ -65,8 +65,13 @@ class Renderer : private NodePainter {
   Program build(const PassSources& pass) const;
   template <class Key>
   Program& program(std::map<Key, Program>& programs, const Key& key);
+  struct Reloaded {
+    bool any = false;
+    std::string words;  ///< the driver's, where it refused one
+  };
   template <class Key>
-  std::string reload_changed(std::map<Key, Program>& programs);
+  Reloaded reload_changed(std::map<Key, Program>& programs);
+  void clear_state();
   SurfaceKey key_for(const View& view, const Node& node) const;
   Viewpoint look(const View& view, const Target& target) const;
   void place(const Viewpoint& viewpoint);

@@ -82,7 +82,7 @@ ExactFrustum around_from_spot(const Light& light, const Ball& ball, const Corner
   const double least = std::max(middle - ball.radius, frustum.far / 1000);
   double nearest = frustum.far;
   for (const glm::dvec3& corner : casters) nearest = std::min(nearest, depth_along(frustum, corner));
-  frustum.near = std::clamp(0.99 * nearest, least, 0.99 * frustum.far);
+  frustum.near = std::min(std::max(0.99 * nearest, least), 0.99 * frustum.far);
   return frustum;
 }
 

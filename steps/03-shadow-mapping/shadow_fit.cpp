@@ -40,9 +40,11 @@ Box3 box_around(std::span<const glm::dvec3> points) {
   return box;
 }
 
-/// Columns: two directions square to a unit vector and to each other, and the vector.
+/// Columns: two directions square to a unit vector and to each other, and the vector. The first two lie along the map's
+/// edges, as the light's look_at has them: a rectangle that is measured along others would not fit into it.
 glm::dmat3 frame_around(const glm::dvec3& z) {
-  const glm::dvec3 other = std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 up(0, 1, 0);
+  const glm::dvec3 other = glm::length(glm::cross(up, z)) > 1e-6 ? up : glm::dvec3(1, 0, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(other, z));
   return {x, glm::cross(z, x), z};
 }

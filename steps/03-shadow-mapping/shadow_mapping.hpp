@@ -18,8 +18,8 @@
 //
 //   vec4 depth_pass_position(vec3 position)
 //       The clip position, as the light sees it, of a corner in object space. u_model takes it to world space;
-//       u_light_view and u_light_projection are what your C++ functions returned. (u_view and u_projection are the
-//       camera's, which the map has nothing to do with.)
+//       u_light_view and u_light_projection are what your C++ functions returned. (u_view and u_projection, which are
+//       the camera's elsewhere, have no value here: the map has nothing to do with it.)
 //
 // In shadow_mapping.glsl (fragment shader):
 //
@@ -38,9 +38,9 @@
 //   vec3 constant_bias(vec3 position, vec3 to_light, float amount)
 //       The position, `amount` metres nearer to the light.
 //   vec3 slope_bias(vec3 position, vec3 normal, vec3 to_light, vec3 axis, float amount)
-//       amount * sin(alpha) / cos(theta) metres nearer to the light: alpha is the angle between the normal and `axis`, the
-//       direction against which the light looks (the map's texels are square to it), theta the angle between the normal and
-//       to_light. For a sun both are one angle, and this is its tangent. cos(theta) counts as at least 0.01.
+//       amount * sin(alpha) / cos(theta) metres nearer to the light: alpha is the angle between the normal and `axis`,
+//       the direction against which the light looks (the map's texels are square to it), theta the angle between the
+//       normal and to_light. For a sun both are one angle, and this is its tangent. cos(theta) counts as at least 0.01.
 //   vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount)          (further)
 //       amount * sin(alpha) metres along the normal, alpha as above.
 //   vec2 plane_slope(vec3 dx, vec3 dy)                                               (further)
@@ -62,25 +62,26 @@
 //       whose width is the tangent of the angle that it spans (Fernando, "Percentage-closer soft shadows", 2005).
 //       Depths are linear.
 //   float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver)       (challenge)
-//       `receiver` is the point's linear depth. The blockers are sought within the square through which the point sees the
-//       light at the near plane: (receiver - near) / receiver * light.width metres wide there (a sun: (receiver - near) *
-//       light.width; never below 0), as a share of the map's width at the near plane. Without blockers, or with
-//       coordinate.z > 1, 1; otherwise the mean of SAMPLES calls of `lit` over a square as wide as the penumbra (at least
-//       0), as a share of the map's width at the receiver: at coordinate + (offset, dot(slope, offset)), offset =
-//       sample_point(i) * width.
+//       `receiver` is the depth of the point before it was moved, metres along light.direction from light.eye. The
+//       blockers are sought within the square through which the point sees the light at the near plane: (receiver -
+//       near) / receiver * light.width metres wide there (a sun: (receiver - near) * light.width; never below 0), as a
+//       share of the map's width at the near plane. Without blockers, or with coordinate.z > 1, 1; otherwise the mean
+//       of SAMPLES calls of `lit` over a square as wide as the penumbra (at least 0), as a share of the map's width at
+//       the receiver: at coordinate + (offset, dot(slope, offset)), offset = sample_point(i) * width.
 //   float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light)
 //       The share of the light that reaches a point: 1 lit, 0 in shadow. `normal` is of unit length, or zero. Bias by
-//       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the point's depth: 0 none, 1 constant,
-//       2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS is not 0 its z is
-//       lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and
-//       with PCSS the slope is plane_slope of the coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
+//       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none,
+//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. With 2 and 3 a zero normal moves nothing. The
+//       coordinate is that of the moved point; where BIAS is not 0 its z is lowered by u_depth_step, what rounding may
+//       part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and with PCSS the slope is plane_slope of the
+//       coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
 //       (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that stands for the
 //       point. Otherwise the slope is zero.
 //   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
 //       Step 02's shade with shadows: ambient light arrives everywhere; of each light arrives what visible_from_point,
-//       visible_from_spot or visible_from_sun (declared in shadows.glsl; the first argument is the light's number) lets
-//       through. They take derivatives: call them for every light, before any branch in which neighbouring pixels may
-//       part.
+//       visible_from_spot or visible_from_sun (declared before your file; the first argument is the light's number, the
+//       normal of unit length or zero) lets through. They take derivatives: call them for every light, before any
+//       branch in which neighbouring pixels may part.
 #pragma once
 
 #include "02-blinn-phong/blinn_phong.hpp"
@@ -164,7 +165,7 @@ LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere);
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Moves an orthographic frustum to the grid of its own texels, so that shadows do not crawl along their edges while
-/// what it is fitted to moves a little. First its half-width, with room for half a texel on each side (1 +
+/// what it is fitted to moves a little. First its half-width, with room for nearly half a texel on each side (1 +
 /// 1/resolution), is rounded up to the next of the steps 2^(k/4), k whole, so that texels keep their size; then the eye
 /// is moved square to the direction, to the nearest place whose x and y in the space of look_at(origin, direction, up)
 /// are whole multiples of a texel (ties upwards: floor(x/texel + 1/2)). Perspective frusta stay as they are.

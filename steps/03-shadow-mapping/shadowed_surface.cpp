@@ -74,6 +74,10 @@ std::vector<SettingSpec> shadow_settings() {
   };
 }
 
+ShadowedSurface::ShadowedSurface(const LitSurface& lit)
+    : lit_(lit), showing_(GL_TEXTURE_2D_ARRAY, R"(uniform sampler2DArray u_map; uniform int u_layer; uniform vec2 u_size; out vec4 o;
+void main() { o = vec4(texture(u_map, vec3(gl_FragCoord.xy / u_size, u_layer)).rrr, 1.0); })") {}
+
 void ShadowedSurface::configure(const Settings& settings) {
   resolution_ = settings.integer("shadow.resolution");
   const std::string& format = settings.choice("shadow.format");
@@ -129,6 +133,13 @@ void append(std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& more
 float radians_across(const Sphere& sphere, const glm::vec3& from) {
   const float distance = glm::distance(sphere.centre, from);
   return distance > sphere.radius ? std::asin(sphere.radius / distance) : 4.0f;
+}
+
+/// Whether a spot's cone misses all of a sphere.
+bool shines_past(const Light& spot, const glm::vec3& position, const Sphere& sphere) {
+  const glm::vec3 way = sphere.centre - position, axis = glm::normalize(spot.direction);
+  const float off = std::atan2(glm::length(glm::cross(axis, way)), glm::dot(axis, way));
+  return off > spot.outer_angle + radians_across(sphere, position);
 }
 
 /// Of the points, along the frustum's direction from its eye; negative behind it.
@@ -192,6 +203,7 @@ std::optional<ShadowedSurface::Mapped> ShadowedSurface::map_for(const Scene& sce
   const Light& source = scene.lights[std::size_t(light)];
   if (!source.casts_shadow || extents.casters.empty()) return {};
   const glm::vec3 position(source.position - viewpoint.origin);
+  if (source.type == LightType::spot && shines_past(source, position, *sphere_around(extents.casters))) return {};
   const auto frustum = source.type == LightType::directional ? fit_to_sun(source, extents)
                        : source.type == LightType::spot      ? fit_to_spot(source, position, extents)
                                                              : fit_point(source, position, extents.casting);
@@ -229,6 +241,9 @@ void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, 
 void ShadowedSurface::make_room(Gl& gl) {
   const Room needed{resolution_, int(maps_.size()), format_, bilinear_};
   if (room_ == needed) return;
+  room_ = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
+  texture_ = {};
+  framebuffer_ = {};
   names_ = make_shadow_maps(gl, resolution_, int(maps_.size()), format_, bilinear_);
   texture_ = GlTexture(gl, names_.texture);
   framebuffer_ = GlFramebuffer(gl, names_.framebuffer);
@@ -259,7 +274,7 @@ void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& v
   if (!found_ || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative) find_maps(scene, viewpoint, painter);
   if (maps_.empty()) return;
   make_room(gl);
-  if (!texture_ || !framebuffer_) return;  // make_shadow_maps is not written yet
+  if (!has_room()) return;  // make_shadow_maps is not written yet
   for (int layer = 0; layer < int(maps_.size()); ++layer)
     if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter);
 }
@@ -267,32 +282,8 @@ void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& v
 bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
   if (view.output != "shadow_map") return false;
   const int layer = map_of(shown_light_);
-  if (layer < 0 || !texture_) return true;  // black: this light has no map
-  if (!showing_) {
-    const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
-    const auto stage = [&](const char* text) { return assemble_shader_text(no_includes, text, "shadow map", {}); };
-    showing_ = build_program(
-        gl,
-        stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
-        stage("uniform sampler2DArray u_map; uniform int u_layer; uniform vec2 u_size; out vec4 o;\n"
-              "void main() { o = vec4(texture(u_map, vec3(gl_FragCoord.xy / u_size, u_layer)).rrr, 1.0); }"));
-  }
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_CULL_FACE);
-  gl.UseProgram(showing_.id());
-  Uniforms uniforms(gl, showing_.id());
-  Binder binder(gl, uniforms);
-  binder.texture("u_map", texture_.id(), GL_TEXTURE_2D_ARRAY);
-  binder.set("u_layer", layer);
-  binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
-  // A texture that compares cannot be read as it is.
-  gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  const GlVertexArray none(gl);
-  gl.BindVertexArray(none.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
-  if (bilinear_) gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl.Enable(GL_DEPTH_TEST);
+  if (layer < 0 || !has_room()) return true;  // black: this light has no map
+  showing_.draw(gl, target, texture_.id(), [&](Uniforms& uniforms) { uniforms.set("u_layer", layer); });
   return true;
 }
 
@@ -312,7 +303,7 @@ std::string glsl_list(std::span<const int> lights, const std::function<int(int)>
 
 Defines ShadowedSurface::structure(bool receives) const {
   Defines d;
-  d["SHADOW_LIGHTS"] = std::to_string(texture_ && receives ? maps_.size() : 0);
+  d["SHADOW_LIGHTS"] = std::to_string(has_room() && receives ? maps_.size() : 0);
   d["SPOT_MAPS"] = glsl_list(lit_.spots(), [this](int light) { return map_of(light); });
   d["SUN_MAPS"] = glsl_list(lit_.suns(), [this](int light) { return map_of(light); });
   d["POINT_MAPS"] = glsl_list(lit_.points(), [this](int light) { return map_of(light); });
@@ -326,7 +317,7 @@ Defines ShadowedSurface::structure(bool receives) const {
 
 Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
   const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
-  if (!shown && (maps_.empty() || !texture_ || !node.receives_shadow)) return {};
+  if (!shown && (maps_.empty() || !has_room() || !node.receives_shadow)) return {};
   Need need{.wanted = true, .structure = structure(node.receives_shadow)};
   if (shown) need.structure["SHOWN_MAP"] = std::to_string(map_of(shown_light_));
   return need;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "02-blinn-phong/lit_surface.hpp"
+#include "03-shadow-mapping/map_picture.hpp"
 #include "03-shadow-mapping/shadow_mapping.hpp"
 #include "render/feature.hpp"
 
@@ -20,7 +21,7 @@ std::string glsl_list(std::span<const int> lights, const std::function<int(int)>
 class ShadowedSurface : public Feature {
  public:
   /// `lit` says which lights shine, under which numbers; it must outlive this.
-  explicit ShadowedSurface(const LitSurface& lit) : lit_(lit) {}
+  explicit ShadowedSurface(const LitSurface& lit);
 
   void configure(const Settings& settings) override;
   void prepare(Gl& gl, const Scene& scene) override;
@@ -73,6 +74,7 @@ class ShadowedSurface : public Feature {
   void make_room(Gl& gl);
   void draw_map(Gl& gl, int layer, NodePainter& painter);
   int map_of(int light) const;
+  bool has_room() const { return texture_ && framebuffer_; }  ///< false where make_shadow_maps is not written yet
 
   const LitSurface& lit_;
   int resolution_ = 1024, pcf_ = 1, samples_ = 16, shown_light_ = 0;
@@ -93,8 +95,8 @@ class ShadowedSurface : public Feature {
     GLenum format = 0;
     bool compare = false;
     bool operator==(const Room&) const = default;
-  } room_;             ///< what `texture_` was made as
-  GlProgram showing_;  ///< draws a map as a picture
+  } room_;  ///< what `texture_` was made as
+  MapPicture showing_;
 };
 
 }  // namespace atelier

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <numeric>
 
 #include "03-shadow-mapping/shadow_fit.hpp"
 #include "render/cull.hpp"
@@ -32,7 +31,7 @@ std::vector<SettingSpec> cube_settings() {
 
 void PointShadowedSurface::configure(const Settings& settings) {
   ShadowedSurface::configure(settings);
-  resolution_ = settings.integer("cube.resolution");
+  edge_ = settings.integer("cube.resolution");
   layered_ = settings.choice("cube.passes") == "one";
   every_face_ = settings.choice("cube.faces") == "all";
   cones_ = settings.choice("cube.instead") == "cone";
@@ -40,7 +39,7 @@ void PointShadowedSurface::configure(const Settings& settings) {
 
 void PointShadowedSurface::moved(const Scene& scene) {
   ShadowedSurface::moved(scene);
-  found_ = false;
+  cubes_found_ = false;
 }
 
 // ---- Which lamps have what
@@ -109,7 +108,7 @@ void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewp
   for (const int light : lit().points())
     if (int(cubes_.size()) < most_cubes)
       if (auto cube = cube_for(scene, light, viewpoint, painter)) cubes_.push_back(std::move(*cube));
-  found_ = true;
+  cubes_found_ = true;
 }
 
 // ---- Drawing them
@@ -117,16 +116,16 @@ void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewp
 bool PointShadowedSurface::make_room(Gl& gl, std::size_t cube) {
   if (rooms_.size() <= cube) rooms_.resize(cube + 1);
   Room& room = rooms_[cube];
-  if (room.names.resolution == resolution_ && room.format == format() && room.compare == compares() && room.texture)
+  if (room.made() && room.names.resolution == edge_ && room.format == format() && room.compare == compares())
     return true;
-  room.names = make_cube_map(gl, resolution_, format(), compares());
-  room.texture = GlTexture(gl, room.names.texture);
-  room.framebuffer = GlFramebuffer(gl, room.names.framebuffer);
-  room.format = format();
-  room.compare = compares();
-  check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", resolution_).c_str());
+  room = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
+  Room made{.names = make_cube_map(gl, edge_, format(), compares()), .format = format(), .compare = compares()};
+  made.texture = GlTexture(gl, made.names.texture);
+  made.framebuffer = GlFramebuffer(gl, made.names.framebuffer);
+  check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", edge_).c_str());
+  room = std::move(made);
   cubes_[cube].drawn = false;
-  return room.texture && room.framebuffer;  // neither where make_cube_map is not written yet
+  return room.made();
 }
 
 namespace {
@@ -194,24 +193,17 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
 
 void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
   ShadowedSurface::draw_before(gl, scene, viewpoint, painter);
-  if (!found_ || !keeps_maps() || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
+  if (!cubes_found_ || !keeps_maps() || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
     if (!make_room(gl, i)) continue;
     if (!keeps_maps() || !cubes_[i].drawn) draw_cube(gl, i, painter);
   }
 }
 
-bool PointShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
-  const int cube = cube_of(shown_light());
-  if (view.output != "shadow_map" || cube < 0) return ShadowedSurface::draw_instead(gl, view, target);
-  if (!showing_) {
-    const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
-    const auto stage = [&](const char* text) { return assemble_shader_text(no_includes, text, "shadow cube", {}); };
-    // Three columns, two rows: +x -x +y above, -y +z -z below, each as it is stored, first row at the bottom.
-    showing_ = build_program(
-        gl,
-        stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
-        stage(R"(uniform samplerCube u_cube; uniform vec2 u_size; out vec4 o;
+namespace {
+
+/// Three columns, two rows: +x -x +y above, -y +z -z below, each as it is stored, first row at the bottom.
+constexpr const char* six_faces = R"(uniform samplerCube u_map; uniform vec2 u_size; out vec4 o;
 void main() {
   vec2 place = gl_FragCoord.xy / u_size * vec2(3.0, 2.0);
   int face = int(place.x) + (place.y < 1.0 ? 3 : 0);
@@ -219,24 +211,18 @@ void main() {
   vec3 direction = face == 0 ? vec3(1.0, -st.y, -st.x) : face == 1 ? vec3(-1.0, -st.y, st.x)
                  : face == 2 ? vec3(st.x, 1.0, st.y)   : face == 3 ? vec3(st.x, -1.0, -st.y)
                  : face == 4 ? vec3(st.x, -st.y, 1.0)  : vec3(-st.x, -st.y, -1.0);
-  o = vec4(texture(u_cube, direction).rrr, 1.0);
-})"));
-  }
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_CULL_FACE);
-  gl.UseProgram(showing_.id());
-  Uniforms uniforms(gl, showing_.id());
-  Binder binder(gl, uniforms);
-  binder.texture("u_cube", rooms_[std::size_t(cube)].texture.id(), GL_TEXTURE_CUBE_MAP);
-  binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
-  // A texture that compares cannot be read as it is.
-  gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_COMPARE_MODE, GL_NONE);
-  const GlVertexArray none(gl);
-  gl.BindVertexArray(none.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
-  if (compares()) gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  gl.Enable(GL_DEPTH_TEST);
+  o = vec4(texture(u_map, direction).rrr, 1.0);
+})";
+
+}  // namespace
+
+PointShadowedSurface::PointShadowedSurface(const LitSurface& lit)
+    : ShadowedSurface(lit), showing_cube_(GL_TEXTURE_CUBE_MAP, six_faces) {}
+
+bool PointShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
+  const int cube = cube_of(shown_light());
+  if (view.output != "shadow_map" || cube < 0) return ShadowedSurface::draw_instead(gl, view, target);
+  showing_cube_.draw(gl, target, rooms_[std::size_t(cube)].texture.id());
   return true;
 }
 
@@ -244,7 +230,7 @@ void main() {
 
 int PointShadowedSurface::cube_of(int light) const {
   for (std::size_t i = 0; i < cubes_.size() && i < rooms_.size(); ++i)
-    if (cubes_[i].light == light && rooms_[i].texture) return int(i);
+    if (cubes_[i].light == light && rooms_[i].made()) return int(i);
   return -1;
 }
 
@@ -277,7 +263,7 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene& scene, const V
     binder.set(name + "position", cubes_[i].position);
     binder.set(name + "far", cubes_[i].far);
     binder.set(name + "cube", int(i));
-    if (i < rooms_.size() && rooms_[i].texture)
+    if (i < rooms_.size() && rooms_[i].made())
       binder.texture(fmt::format("u_cube_{}", i), rooms_[i].texture.id(), GL_TEXTURE_CUBE_MAP);
   }
 }

@@ -12,7 +12,8 @@ std::vector<SettingSpec> cube_settings();
 
 class PointShadowedSurface : public ShadowedSurface {
  public:
-  using ShadowedSurface::ShadowedSurface;
+  /// `lit` as for step 03; it must outlive this.
+  explicit PointShadowedSurface(const LitSurface& lit);
 
   void configure(const Settings& settings) override;
   void moved(const Scene& scene) override;
@@ -45,6 +46,7 @@ class PointShadowedSurface : public ShadowedSurface {
     GlFramebuffer framebuffer;
     GLenum format = 0;
     bool compare = false;
+    bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet
   };
 
   std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
@@ -54,12 +56,12 @@ class PointShadowedSurface : public ShadowedSurface {
   void draw_cube(Gl& gl, std::size_t cube, NodePainter& painter);
   int cube_of(int light) const;
 
-  int resolution_ = 1024;
+  int edge_ = 512;  ///< texels
   bool layered_ = true, cones_ = true, every_face_ = false;
   std::vector<Cubed> cubes_;
-  bool found_ = false;  ///< whether cubes_ is right for scene and settings
+  bool cubes_found_ = false;  ///< whether cubes_ is right for scene and settings
   std::vector<Room> rooms_;
-  GlProgram showing_;  ///< draws a cube's six faces side by side
+  MapPicture showing_cube_;  ///< six faces side by side
 };
 
 }  // namespace atelier

@@ -7,6 +7,9 @@
 // but the distance from the lamp, as a share of the farthest distance: |p - L| / far. (Depths along the axes and
 // distances differ by up to sqrt(3), at the corners: compare like with like.)
 //
+// Half-shadows (shadow.soft = pcss, light.width) are a matter of step 03's maps; a cube's edges are as soft as its
+// filter. At most four lamps have a cube, the first that need one; the others cast no shadow.
+//
 // The cube's convention is OpenGL's (specification 3.3, section 3.8.10): faces +x, -x, +y, -y, +z, -z in this order;
 // seen from the middle of the cube the pictures stand on their heads, which is why a face's view has -y up, and those
 // of +y and -y have +z and -z.
@@ -44,6 +47,8 @@
 #pragma once
 
 #include <optional>
+#include <span>
+#include <stdexcept>
 
 #include "03-shadow-mapping/shadow_mapping.hpp"
 
