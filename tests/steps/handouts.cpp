@@ -1,5 +1,7 @@
 // What a handout names is there: the files and headings that it links to, the cases of its tables, and the scenes,
-// settings and outputs of its commands. Every case is named in turn.
+// settings and outputs of its commands. Every case is named in turn, and the points are right.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <regex>
@@ -126,6 +128,24 @@ TEST_CASE("a handout names every case that has points, and none that there is no
     }
     CHECK(not_told == "");
     CHECK(missing(cases_in_tables(handout), cases) == "");
+  }
+}
+
+TEST_CASE("a handout and the list of all tell the points of each tier", "[handouts]") {
+  const std::string list = read_file(folders().handouts() / "README.md");
+  for (const CourseStep& step : judged_steps()) {
+    INFO(step.name);
+    std::map<std::string, double> points = {{"core", 0}, {"further", 0}, {"challenge", 0}};
+    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases) points[c.tier] += c.points;
+    if (points["core"] == 0) continue;
+    const std::string handout = handout_of(step);
+    for (const auto& [tier, sum] : points) {
+      INFO(tier);
+      CHECK(found(handout, "\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|") == Names{fmt::format("{}", sum)});
+    }
+    const std::string row = fmt::format("| {} + {} + {} |", points["core"], points["further"], points["challenge"]);
+    CHECK(list.find("(" + step.name + ".md)") < list.find(row));
+    CHECK(list.find(row) != std::string::npos);
   }
 }
 
