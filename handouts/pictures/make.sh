@@ -132,6 +132,10 @@ for fit in scene casters visible; do
   size=180x180 draw map-$fit $step "${across[@]}" --set shadow.fit=$fit --output shadow_map
 done
 sheet 03-fits 3 map-scene="map of scene" map-casters="of casters" map-visible="of visible" scene casters visible
+mistakes $step 03-mistakes teapot--{ambient-shadowed,bias-matrix-missing,border-black,border-repeats} \
+  teapot--{cleared-to-zero,comparison-reversed,depth-model-missing,far-not-clamped} \
+  teapot--{no-w-divide,normal-offset-inwards,unbiased-lookup} edges--culling-left-on \
+  three-spots--{first-lights-shadow,layer-zero-drawn,lights-overwrite,shadows-multiplied}
 
 # The light goes round.
 (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --scene three-spots \

@@ -56,7 +56,21 @@ Scene teapot() {
   return scene;
 }
 
-/// A wide floor under a low sun, and one post: where surfaces shade themselves.
+/// Rolls a scene and its camera about an axis through the origin, by hanging all its nodes from one more. Lights stay.
+void roll(Scene& scene, const glm::vec3& axis, float angle) {
+  Node all{.name = "all", .rotation_axis = axis, .rotation_angle = angle};
+  const glm::dmat3 turn(world_matrices_exact({all})[0]);
+  const int root = add_node(scene, std::move(all));
+  for (int i = 0; i < root; ++i)
+    if (scene.nodes[std::size_t(i)].parent < 0) scene.nodes[std::size_t(i)].parent = root;
+  scene.camera.eye = turn * scene.camera.eye;
+  scene.camera.target = turn * scene.camera.target;
+  scene.camera.up = glm::vec3(turn * glm::dvec3(scene.camera.up));
+}
+
+/// A wide floor under a low sun, and one post: where surfaces shade themselves. The sun's map has its up where the
+/// world's is, so its texels lie in rows along the floor unless all but the sun is rolled about the sun's direction:
+/// the picture is the same, its map has turned.
 Scene grazing(const Settings& settings) {
   Scene scene{.name = "grazing"};
   scene.ambient = glm::vec3(0.1f);
@@ -65,9 +79,10 @@ Scene grazing(const Settings& settings) {
   const int stone = add_material(scene, {.name = "stone", .diffuse = {0.5f, 0.42f, 0.35f}});
   add_object(scene, make_box({.size = {0.5f, 1, 0.5f}}), stone, {.name = "post", .translation = {0, 0.5, 0}});
   const double height = double(degrees(90 - settings.real("grazing.angle")));  // above the horizon
-  add_light(scene, sun_along({-float(std::cos(height)), -float(std::sin(height)), -0.3f * float(std::cos(height))},
-                             glm::vec3(float(0.9 / std::max(std::sin(height), 0.05)))));
+  const glm::vec3 direction(-float(std::cos(height)), -float(std::sin(height)), -0.3f * float(std::cos(height)));
+  add_light(scene, sun_along(direction, glm::vec3(float(0.9 / std::max(std::sin(height), 0.05)))));
   scene.camera = {.eye = {0.8, 2.2, 6}, .target = {-0.6, 0.2, 0}, .fov_y = degrees(42), .near = 0.5f, .far = 40};
+  if (const double angle = settings.real("grazing.roll"); angle != 0) roll(scene, direction, degrees(angle));
   return scene;
 }
 
@@ -105,14 +120,25 @@ Scene three_spots() {
 }
 
 /// A board over a floor under a lamp with an extent: its half-shadow has a width that can be computed. The lamp hangs
-/// `penumbra.light` metres over the floor, the board `penumbra.board` metres.
+/// `penumbra.light` metres over the floor, the board `penumbra.board` metres. The edge of its shadow runs through the
+/// origin, where the lamp is straight above, and along z unless the board is turned. A second board may hang above the
+/// same edge: two half-shadows in one place.
 Scene penumbra(const Settings& settings) {
   Scene scene{.name = "penumbra"};
   scene.ambient = glm::vec3(0.02f);
   add_floor(scene, 6, glm::vec3(0.75f));
   const int black = add_material(scene, {.name = "board", .diffuse = glm::vec3(0.15f)});
-  add_object(scene, make_box({.size = {1.2f, 0.01f, 1.2f}}), black,
-             {.name = "board", .translation = {-0.6, settings.real("penumbra.board"), 0}});
+  const int board = add_mesh(scene, make_box({.size = {1.2f, 0.01f, 1.2f}}));
+  const double turn = double(degrees(settings.real("penumbra.turn")));
+  const auto hang = [&](double height) {
+    add_node(scene, {.name = "board",
+                     .translation = {-0.6 * std::cos(turn), height, 0.6 * std::sin(turn)},
+                     .rotation_angle = float(turn),
+                     .mesh = board,
+                     .material = black});
+  };
+  hang(settings.real("penumbra.board"));
+  if (const double second = settings.real("penumbra.second"); second > 0) hang(second);
   add_light(scene, spot_at("lamp", {0, settings.real("penumbra.light"), 0}, {0, 0, 0}, 40, glm::vec3(1)));
   scene.camera = {.eye = {0, 1.5, 4.5}, .target = {0, 0.2, 0}, .fov_y = degrees(35), .near = 0.5f, .far = 20};
   return scene;
@@ -246,12 +272,28 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .low = 0,
        .high = 89.9,
        .help = "of the scene 'grazing': degrees between the sun's light and the floor's normal"},
+      {.name = "grazing.roll",
+       .fallback = 0.0,
+       .low = -180,
+       .high = 180,
+       .help = "of 'grazing': degrees by which floor, post and camera are rolled about the sun's direction, and so "
+               "turned in its map"},
       {.name = "penumbra.light", .fallback = 3.0, .low = 1, .high = 10, .help = "of 'penumbra': the lamp's height, m"},
       {.name = "penumbra.board",
        .fallback = 0.6,
        .low = 0.01,
        .high = 0.9,
        .help = "of 'penumbra': the board's height, m"},
+      {.name = "penumbra.second",
+       .fallback = 0.0,
+       .low = 0,
+       .high = 0.9,
+       .help = "of 'penumbra': the height of a second board over the same edge, m; 0: there is none"},
+      {.name = "penumbra.turn",
+       .fallback = 0.0,
+       .low = -180,
+       .high = 180,
+       .help = "of 'penumbra': degrees by which the boards are turned about the vertical axis, and so in the map"},
   };
 }
 

@@ -56,11 +56,11 @@ void show_map(SceneTruth& truth, const ExactFrustum& frustum, bool back_faces_on
 
 void show_map_or_coordinate(SceneTruth& truth, const TruthRequest& request, const Settings& settings) {
   const std::string& fit = settings.choice("shadow.fit");
-  if (fit == "visible")
+  if (fit == "visible" || fit == "fixed")
     throw Error(
-        fmt::format("output '{}' has no ground truth under shadow.fit=visible: what the map is fitted to is "
-                    "what the renderer finds in its own view; scene and casters have one",
-                    request.output));
+        fmt::format("output '{}' has no ground truth under shadow.fit={}, which does not follow from the scene; scene "
+                    "and casters have one",
+                    request.output, fit));
   const bool map = request.output == "shadow_map";
   if (map && request.size.x != request.size.y)
     throw Error(fmt::format("output 'shadow_map' of {}x{} pixels has no ground truth: a map is as wide as it is high",

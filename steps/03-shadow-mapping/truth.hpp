@@ -15,9 +15,9 @@ namespace atelier {
 ///   front faces) being followed. A map is traced at the middles of the picture's pixels, which are those of the texels
 ///   where the picture is as large as the map. All is zero for a light without a map, and so are coordinates on what
 ///   receives no shadow.
-/// Throws Error for an unknown scene; for coordinates and maps under "shadow.fit" = "visible", which fits them to what
-/// the renderer finds in its own view; for a map that is not square; and for maps and
-/// coordinates of a point light, which one map does not go round.
+/// Throws Error for an unknown scene; for coordinates and maps where "shadow.fit" is "visible" (what the renderer finds
+/// in its own view) or "fixed" (none at all); for a map that is not square; and for maps and coordinates of a point
+/// light, which one map does not go round.
 SceneTruth shadow_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
 }  // namespace atelier

@@ -4,6 +4,7 @@
 #include "04-point-shadows/point_shadowed_surface.hpp"
 #include "04-point-shadows/probes.hpp"
 #include "04-point-shadows/scenes.hpp"
+#include "04-point-shadows/studies.hpp"
 #include "04-point-shadows/truth.hpp"
 #include "app/scene_program.hpp"
 
@@ -13,7 +14,7 @@ namespace {
 
 StepDescription describe() {
   std::vector<SettingSpec> settings = cube_settings();
-  for (const auto& more : {point_scene_settings(), shadow_settings(), lit_surface_settings()})
+  for (const auto& more : {point_scene_settings(), study_settings(), shadow_settings(), lit_surface_settings()})
     settings.insert(settings.end(), more.begin(), more.end());
   return {
       .name = "04-point-shadows",

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "04-point-shadows/studies.hpp"
+#include "04-point-shadows/walls.hpp"
 #include "base/error.hpp"
 #include "scene/builder.hpp"
 #include "scene/builtin.hpp"
@@ -12,27 +14,6 @@ namespace atelier {
 
 namespace {
 
-/// Six walls around the origin that face inwards, `side` metres apart.
-void add_walls(Scene& scene, float side, int material, bool cast) {
-  const int wall = add_mesh(scene, make_plane({.width = side, .depth = side}));
-  const auto add = [&](const char* name, const glm::dvec3& at, const glm::vec3& axis, double angle) {
-    add_node(scene, {.name = name,
-                     .translation = at,
-                     .rotation_axis = axis,
-                     .rotation_angle = degrees(angle),
-                     .mesh = wall,
-                     .material = material,
-                     .casts_shadow = cast});
-  };
-  const double half = side / 2;
-  add("floor", {0, -half, 0}, {1, 0, 0}, 0);
-  add("ceiling", {0, half, 0}, {1, 0, 0}, 180);
-  add("back", {0, 0, -half}, {1, 0, 0}, 90);
-  add("front", {0, 0, half}, {1, 0, 0}, -90);
-  add("left", {-half, 0, 0}, {0, 0, 1}, -90);
-  add("right", {half, 0, 0}, {0, 0, 1}, 90);
-}
-
 /// A lamp in a cage in the middle of a room: each wall, floor and ceiling gets its own shadows, and the cage's edges
 /// cross those of the cube.
 Scene lantern(const Settings& settings) {
@@ -40,7 +21,7 @@ Scene lantern(const Settings& settings) {
   scene.ambient = glm::vec3(0.07f);
   const int paint = add_material(scene, {.name = "paint", .diffuse = {0.66f, 0.64f, 0.6f}}),
             iron = add_material(scene, {.name = "iron", .diffuse = {0.25f, 0.22f, 0.2f}, .two_sided = true});
-  add_walls(scene, 6, paint, false);
+  add_walls(scene, {.distance = 3, .side = 6, .material = paint});
   const int bar = add_mesh(scene, make_box({.size = {0.08f, 1.3f, 0.08f}})),
             ball = add_mesh(scene, make_sphere({.radius = 0.16f}));
   const auto put = [&](const char* name, int mesh, const glm::dvec3& at, const glm::vec3& axis, double angle) {
@@ -79,7 +60,7 @@ Scene crates() {
   const int wood = add_texture(scene, "wood", make_wood({.size = 256}));
   const int board = add_material(scene, {.name = "board", .diffuse = glm::vec3(0.9f), .diffuse_texture = wood}),
             wall = add_material(scene, {.name = "wall", .diffuse = {0.55f, 0.5f, 0.45f}});
-  add_walls(scene, 8, wall, false);
+  add_walls(scene, {.distance = 4, .side = 8, .material = wall});
   const int box = add_mesh(scene, make_box({.size = glm::vec3(1)}));
   struct Crate {
     glm::dvec3 at;
@@ -146,13 +127,16 @@ Scene scene_named(const std::string& name, const Settings& settings) {
   if (name == "crates") return crates();
   if (name == "desk") return desk();
   if (name == "touching") return touching();
-  throw Error("scene '" + name + "': this program has room, lantern, crates, desk, touching");
+  if (name == "dots") return dots(settings);
+  if (name == "bare-walls") return bare_walls();
+  if (name == "boards") return boards();
+  throw Error("scene '" + name + "': this program has room, lantern, crates, desk, touching, dots, bare-walls, boards");
 }
 
 }  // namespace
 
 std::vector<std::string> point_scene_names() {
-  return {"room", "lantern", "crates", "desk", "touching"};
+  return {"room", "lantern", "crates", "desk", "touching", "dots", "bare-walls", "boards"};
 }
 
 std::vector<SettingSpec> point_scene_settings() {

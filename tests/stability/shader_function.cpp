@@ -44,8 +44,13 @@ void set_uniform(Uniforms& uniforms, const std::string& name, const Values& v) {
       return uniforms.set(name, glm::vec3(v[0], v[1], v[2]));
     case 4:
       return uniforms.set(name, glm::vec4(v[0], v[1], v[2], v[3]));
+    case 16: {
+      glm::mat4 matrix;
+      for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = float(v[std::size_t(i)]);
+      return uniforms.set(name, matrix);
+    }
     default:
-      throw Error(fmt::format("uniform {}: {} values, where 1 to 4 are possible", name, v.size()));
+      throw Error(fmt::format("uniform {}: {} values, where 1 to 4 or 16 are possible", name, v.size()));
   }
 }
 
@@ -90,11 +95,15 @@ std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
   uniforms.set("u_inputs", 0);
   for (const auto& [name, value] : function.uniforms) set_uniform(uniforms, name, value);
   int unit = 0;
-  for (const auto& [name, texture] : function.textures) {
-    gl.ActiveTexture(GLenum(GL_TEXTURE0 + ++unit));
-    gl.BindTexture(GL_TEXTURE_2D, texture);
-    uniforms.set(name, unit);
-  }
+  const auto bind = [&](GLenum kind, const std::map<std::string, GLuint>& textures) {
+    for (const auto& [name, texture] : textures) {
+      gl.ActiveTexture(GLenum(GL_TEXTURE0 + ++unit));
+      gl.BindTexture(kind, texture);
+      uniforms.set(name, unit);
+    }
+  };
+  bind(GL_TEXTURE_2D, function.textures);
+  bind(GL_TEXTURE_2D_ARRAY, function.arrays);
   gl.ActiveTexture(GL_TEXTURE0);
   const GlVertexArray nothing(gl);
   gl.BindVertexArray(nothing.id());

@@ -22,8 +22,9 @@ struct ShaderFunction {
   std::vector<std::string> parameters;  ///< names of the vec4 that `expression` may use
   std::string expression;               ///< a vec4
   Defines defines{};
-  std::map<std::string, Values> uniforms{};  ///< float, vec2, vec3 or vec4 by the number of values
+  std::map<std::string, Values> uniforms{};  ///< float, vec2, vec3, vec4 or mat4 by the number of values
   std::map<std::string, GLuint> textures{};  ///< of kind 2D, by the sampler's name; they belong to the caller
+  std::map<std::string, GLuint> arrays{};    ///< the same of kind 2D array
 };
 
 /// The arguments of one call, a vec4 each.

@@ -1,0 +1,146 @@
+// shadow_factor and shade_with_shadows: every bias with no normal, upon the light, at grazing light, on a map of one
+// texel.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "stability/03-shadow-mapping/rows.hpp"
+
+namespace atelier::stability {
+
+using namespace shadow_mapping;
+
+namespace {
+
+struct Place {
+  glm::vec3 position{0}, normal{0, 1, 0}, to_light{0, 1, 0};
+};
+
+/// A spot 4 m above the origin, over a map that is dark (0) or empty (1) everywhere.
+class Factor {
+ public:
+  Factor(ShaderFunctions& shaders, const Variant& variant, float depth)
+      : shaders_(&shaders), map_(std::make_shared<DepthMap>(shaders.gl(), std::initializer_list<float>{depth})) {
+    const LightFrustum spot{.eye = {0, 4, 0}, .extent = 0.5f, .near = 0.5f, .far = 8};
+    const glm::mat4 m = bias_matrix() * light_projection(spot) * light_view(spot);
+    matrix_ = {m[0], m[1], m[2], m[3]};
+    function_ = map_->read_by(shadow_function(
+        {"m0", "m1", "m2", "m3", "p", "n", "l"},
+        "vec4(shadow_factor(ShadowLight(mat4(m0, m1, m2, m3), vec3(0.0, 4.0, 0.0), vec3(0.0, -1.0, 0.0), 0.5463, 0.5, "
+        "8.0, 0.5, false, 0), p.xyz, n.xyz, l.xyz))",
+        variant));
+    function_.uniforms = {{"u_bias", {1}}, {"u_depth_step", {1e-6}}};
+  }
+  /// Of neighbouring pixels, so that derivatives are between them.
+  Values operator()(const std::vector<Place>& places) const {
+    std::vector<ShaderInput> inputs;
+    for (const Place& p : places) {
+      ShaderInput input = matrix_;
+      input.insert(input.end(), {glm::vec4(p.position, 1), glm::vec4(p.normal, 0), glm::vec4(p.to_light, 0)});
+      inputs.push_back(std::move(input));
+    }
+    Values out;
+    for (const glm::vec4& v : shaders_->evaluate(function_, inputs)) out.push_back(double(v.x));
+    return out;
+  }
+
+ private:
+  ShaderFunctions* shaders_;
+  std::shared_ptr<DepthMap> map_;
+  ShaderInput matrix_;
+  ShaderFunction function_;
+};
+
+/// A direction this many degrees off the vertical.
+glm::vec3 slanted(double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  return glm::vec3(std::sin(a), std::cos(a), 0);
+}
+
+/// How many of the numbers are no share, 0..1.
+Values no_shares(const Values& numbers) {
+  double count = 0;
+  for (const double v : numbers) count += !(v >= 0 && v <= 1);
+  return {count};
+}
+
+void add_factor_rows(Group& group, ShaderFunctions& shaders) {
+  static constexpr const char* biases[] = {"no bias", "constant", "slope", "normal offset", "plane"};
+  for (int bias = 0; bias <= 4; ++bias)
+    for (const int samples : {0, 4}) {
+      const Variant variant{.bias = bias, .pcf = 3, .samples = samples};
+      const Factor dark(shaders, variant, 0), empty(shaders, variant, 1);
+      const auto words = [&](const char* extreme) {
+        return fmt::format("{}{}: {}", biases[bias], samples ? ", PCSS" : "", extreme);
+      };
+      group.equals(words("behind the light: lit"),
+                   [=] {
+                     return dark({{.position = {0, 6, 0}, .to_light = {0, -1, 0}},
+                                  {.position = {1, 6, 0}, .to_light = {0, -1, 0}}});
+                   },
+                   {1, 1});
+      group.equals(words("upon the light, which then lies no way: a share"),
+                   [=] {
+                     return no_shares(dark({{.position = {0, 4, 0}, .to_light = {0, 0, 0}}}));
+                   },
+                   {0});
+      group.equals(words("an empty map, far beyond its far plane: lit"),
+                   [=] {
+                     return empty({{.position = {0, -50, 0}}, {.position = {0, -50, 0}}});
+                   },
+                   {1, 1});
+      group.equals(words("no normal, grazing light, turned away, 1e30 m away: shares"),
+                   [=] {
+                     return no_shares(dark({{.normal = {0, 0, 0}},
+                                            {.to_light = slanted(89.9)},
+                                            {.to_light = slanted(90)},
+                                            {.normal = {0, -1, 0}},
+                                            {.normal = slanted(89.9)},
+                                            {.position = {0, -1e30f, 0}},
+                                            {.position = {1e30f, 0, 0}}}));
+                   },
+                   {0});
+    }
+}
+
+/// step 03's sum, with one spot straight above that reaches the place as `visible` says.
+Values shaded(ShaderFunctions& shaders, int lights, double visible, const glm::vec3& normal) {
+  ShaderFunction function = shadow_function(
+      {"normal"},
+      "vec4(shade_with_shadows(vec3(0.0), normal.xyz, vec3(0.0, 3.0, 0.0), Material(vec3(0.5), vec3(0.0), 8.0)), 0.0)",
+      {.spot_lights = lights},
+      "uniform float u_visible;\n"
+      "float visible_from_spot(int light, vec3 p, vec3 n, vec3 l) { return u_visible; }\n");
+  function.uniforms["u_ambient"] = Values(3, 0.125);
+  if (lights > 0) {
+    function.uniforms["u_visible"] = {visible};
+    function.uniforms["u_spot_lights[0].position"] = {0, 1, 0};
+    function.uniforms["u_spot_lights[0].direction"] = {0, -1, 0};
+    function.uniforms["u_spot_lights[0].colour"] = {1, 1, 1};
+    function.uniforms["u_spot_lights[0].attenuation"] = {0, 0, 1};
+    function.uniforms["u_spot_lights[0].cosines"] = {0.9, 0.8};
+  }
+  return values(glm::vec3(shaders.evaluate(function, {glm::vec4(normal, 0)})));
+}
+
+}  // namespace
+
+void add_factor_rows(Table& table, ShaderFunctions& shaders) {
+  Group factor = table.of("shadow_factor (GLSL)");
+  add_factor_rows(factor, shaders);
+  Group shade = table.of("shade_with_shadows (GLSL)");
+  const glm::vec3 up(0, 1, 0);
+  const Values ambient(3, 0.0625);
+  shade.equals(
+      "no light: ambient alone", [=, &shaders] { return shaded(shaders, 0, 1, up); }, ambient);
+  shade.equals(
+      "a light that nothing of reaches the place: ambient is not lost",
+      [=, &shaders] { return shaded(shaders, 1, 0, up); }, ambient);
+  shade.equals(
+      "half a light", [=, &shaders] { return shaded(shaders, 1, 0.5, up); }, Values(3, 0.3125));
+  shade.equals(
+      "no normal: ambient alone", [=, &shaders] { return shaded(shaders, 1, 1, {}); }, ambient);
+}
+
+}  // namespace atelier::stability

@@ -1,0 +1,56 @@
+// The table of step 03, a function for each part of its contract.
+#pragma once
+
+#include <initializer_list>
+#include <limits>
+
+#include "03-shadow-mapping/shadow_mapping.hpp"
+#include "gl/objects.hpp"
+#include "stability/random.hpp"
+#include "stability/shader_function.hpp"
+#include "stability/table.hpp"
+
+namespace atelier::stability {
+
+void add_fit_rows(Table& table);
+void add_matrix_rows(Table& table, ShaderFunctions& shaders);
+void add_snap_rows(Table& table);
+void add_coordinate_rows(Table& table, ShaderFunctions& shaders);
+void add_bias_rows(Table& table, ShaderFunctions& shaders);
+void add_lookup_rows(Table& table, ShaderFunctions& shaders);
+void add_soft_rows(Table& table, ShaderFunctions& shaders);
+void add_factor_rows(Table& table, ShaderFunctions& shaders);
+
+inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// Which variant of the shader: the defines that the program sets.
+struct Variant {
+  int bias = 0, pcf = 1;
+  bool compare = false;
+  int samples = 0;  ///< of PCSS; 0: without
+  bool random = false;
+  int spot_lights = 0;
+};
+
+/// An expression over the step's shader functions. `helpers` is GLSL in front of the step's own.
+ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression, const Variant& variant = {},
+                               const std::string& helpers = "");
+
+/// GLSL for a light at the origin that looks down, of which only what `in` (half-width, near, far, width) and `sun` (1
+/// or 0) say matters.
+inline constexpr const char* plain_light =
+    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), in_light.x, in_light.y, in_light.z, in_light.w, sun.x > "
+    "0.5, 0)";
+
+/// A depth map of one layer, square, row by row from v = 0; read, or compared and mixed, as the contract has it.
+class DepthMap {
+ public:
+  DepthMap(Gl& gl, std::initializer_list<float> depths, bool compare = false);
+  /// A shader function that looks it up.
+  ShaderFunction read_by(ShaderFunction function) const;
+
+ private:
+  GlTexture texture_;
+};
+
+}  // namespace atelier::stability

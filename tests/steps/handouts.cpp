@@ -1,0 +1,165 @@
+// What a handout names is there: the files and headings that it links to, the cases of its tables, and the scenes,
+// settings and outputs of its commands. Every case is named in turn, and the points are right.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "command.hpp"
+#include "judge/judged_case.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+using nlohmann::json;
+
+namespace {
+
+using Names = std::set<std::string>;
+
+/// The steps that have cases.
+std::vector<CourseStep> judged_steps() {
+  std::vector<CourseStep> steps = course();
+  std::erase_if(steps, [](const CourseStep& step) { return !std::filesystem::exists(folders().case_file(step.name)); });
+  return steps;
+}
+
+std::string handout_of(const CourseStep& step) {
+  return read_file(folders().handouts() / (step.name + ".md"));
+}
+
+/// What the pattern's group holds at each of its places in the text.
+Names found(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern);
+  Names names;
+  for (std::sregex_iterator at(text.begin(), text.end(), regex), end; at != end; ++at) names.insert((*at)[1]);
+  return names;
+}
+
+/// What stands in the last column of tables whose last heading is "Cases", between backquotes.
+Names cases_in_tables(const std::string& handout) {
+  Names names;
+  bool within = false;
+  std::istringstream lines(handout);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with('|')) {
+      within = false;
+    } else if (line.ends_with("| Cases |")) {
+      within = true;
+    } else if (within) {
+      const std::size_t begin = line.find_last_of('|', line.size() - 2);
+      names.merge(found(line.substr(begin), "`([^` ]+)`"));
+    }
+  }
+  return names;
+}
+
+/// The anchors of a text's headings: in small letters, blanks as dashes, without punctuation.
+Names anchors_of(const std::string& text) {
+  Names anchors;
+  for (const std::string& heading : found(text, "(?:^|\n)#+ ([^\n]+)")) {
+    std::string anchor;
+    for (const char c : heading)
+      if (std::isalnum(static_cast<unsigned char>(c)) || c == '-' || c == '_')
+        anchor += char(std::tolower(static_cast<unsigned char>(c)));
+      else if (c == ' ')
+        anchor += '-';
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
+/// The names in a list of what a program has, or the list itself where it holds nothing but names.
+Names names_in(const json& list) {
+  Names names;
+  for (const json& entry : list) names.insert(entry.is_string() ? entry : entry["name"]);
+  return names;
+}
+
+/// Those of `these` that are none of `those`, for a message.
+std::string missing(const Names& these, const Names& those) {
+  std::string names;
+  for (const std::string& name : these)
+    if (!those.contains(name)) names += name + ' ';
+  return names;
+}
+
+/// What `PROGRAM --list --json` prints.
+json listing_of(const CourseStep& step) {
+  const std::string whose = (folders().implementations() / "solutions").string() + ":" + folders().solutions().string();
+  const Finished run = run_process(
+      {.arguments = {folders().program(step.name).string(), "--implementations", whose, "--list", "--json"}});
+  return json::parse(run.output);
+}
+
+}  // namespace
+
+TEST_CASE("what a handout links to is there", "[handouts]") {
+  std::vector<std::string> names = {"README"};
+  for (const CourseStep& step : judged_steps()) names.push_back(step.name);
+  for (const std::string& name : names) {
+    INFO(name);
+    const std::string handout = read_file(folders().handouts() / (name + ".md"));
+    for (const std::string& link : found(handout, R"(\]\(([^)]+)\))")) {
+      INFO(link);
+      if (link.starts_with("https://")) continue;
+      const std::size_t hash = link.find('#');
+      const std::string file = hash == 0 ? name + ".md" : link.substr(0, hash);
+      REQUIRE(std::filesystem::exists(folders().handouts() / file));
+      if (hash != link.npos) CHECK(anchors_of(read_file(folders().handouts() / file)).contains(link.substr(hash + 1)));
+    }
+  }
+}
+
+TEST_CASE("a handout names every case that has points, and none that there is not", "[handouts]") {
+  for (const CourseStep& step : judged_steps()) {
+    INFO(step.name);
+    const std::string handout = handout_of(step);
+    Names cases;
+    std::string not_told;
+    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases) {
+      if (c.hidden) continue;
+      cases.insert(c.ask.name);
+      if (c.points > 0 && handout.find('`' + c.ask.name + '`') == std::string::npos) not_told += c.ask.name + ' ';
+    }
+    CHECK(not_told == "");
+    CHECK(missing(cases_in_tables(handout), cases) == "");
+  }
+}
+
+TEST_CASE("a handout and the list of all tell the points of each tier", "[handouts]") {
+  const std::string list = read_file(folders().handouts() / "README.md");
+  for (const CourseStep& step : judged_steps()) {
+    INFO(step.name);
+    std::map<std::string, double> points = {{"core", 0}, {"further", 0}, {"challenge", 0}};
+    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases) points[c.tier] += c.points;
+    if (points["core"] == 0) continue;
+    const std::string handout = handout_of(step);
+    for (const auto& [tier, sum] : points) {
+      INFO(tier);
+      CHECK(found(handout, "\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|") == Names{fmt::format("{}", sum)});
+    }
+    const std::string row = fmt::format("| {} + {} + {} |", points["core"], points["further"], points["challenge"]);
+    CHECK(list.find("(" + step.name + ".md)") < list.find(row));
+    CHECK(list.find(row) != std::string::npos);
+  }
+}
+
+TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts]") {
+  for (const CourseStep& step : judged_steps()) {
+    INFO(step.name);
+    std::string handout = handout_of(step);
+    std::replace(handout.begin(), handout.end(), '\n', ' ');  // commands in running text are wrapped
+    const json program = listing_of(step);
+    CHECK(missing(found(handout, "--scene ([a-z0-9-]+)(?![a-z0-9-]*\\.)"), names_in(program["scenes"])) == "");
+    CHECK(missing(found(handout, "--output ([a-z_]+)"), names_in(program["outputs"])) == "");
+    Names set = found(handout, "--vary ([a-z0-9._]+)=");
+    for (const std::string& list : found(handout, "--set ((?:[a-z0-9._]+=[^ `]+ ?)+)"))
+      set.merge(found(list, "([a-z0-9._]+)="));
+    CHECK(missing(set, names_in(program["settings"])) == "");
+  }
+}
