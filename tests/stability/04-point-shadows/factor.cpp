@@ -70,6 +70,25 @@ void add_rows(Group& group, ShaderFunctions& shaders, int bias) {
         return ask({}, {{{0.4f, 0, 0}}, {{0.6f, 0, 0}}, {{0, 0.4f, 0}, {}, {0, -1, 0}}, {{0, 0.6f, 0}, {0, -1, 0}}});
       },
       {1, 0, 1, 0});
+  group.equals("something on one side of the lamp alone, each of six: shadow there, light on the other five",
+               [=] {
+                 double wrong = 0;
+                 for (std::size_t near = 0; near < 6; ++near) {
+                   std::array<float, 6> faces;
+                   faces.fill(1);
+                   faces[near] = 0.25f;
+                   std::vector<Point> points;
+                   for (int side = 0; side < 6; ++side) {
+                     glm::dvec3 direction(0);
+                     direction[side / 2] = side % 2 ? -1 : 1;
+                     points.push_back(point_at({}, direction, 0.5, 0.1));
+                   }
+                   const std::vector<double> found = ask({}, points, faces);
+                   for (std::size_t side = 0; side < 6; ++side) wrong += found[side] != (side == near ? 0 : 1);
+                 }
+                 return Values{wrong};
+               },
+               {0});
   group.equals("beyond the farthest distance, also 1e12 times: in the shadow of what casts, and lit where nothing does",
                [=] {
                  return ask({},

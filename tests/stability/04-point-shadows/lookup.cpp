@@ -78,6 +78,24 @@ void add_length_rows(Group& group, ShaderFunctions& shaders, const char* express
       {0});
 }
 
+/// Six directions, and for each the answer of nine comparisons on a cube of one texel a face whose face there is far
+/// and all others near: a filter that spreads both ways has its middle on the face and all else on others.
+double spread_error(ShaderFunctions& shaders) {
+  double worst = 0;
+  for (std::size_t face = 0; face < 6; ++face) {
+    std::array<float, 6> faces{};
+    faces[face] = 1;
+    const FilledCube cube(shaders.gl(), 1, GL_DEPTH_COMPONENT32F, false, faces);
+    ShaderFunction function = lookup_function({"direction", "reference"}, many_comparisons, {.pcf = 3});
+    function.cubes = {{"u_cube_0", cube.texture()}};
+    glm::vec3 along(0);
+    along[int(face / 2)] = face % 2 ? -3.0f : 3.0f;
+    const double answer = shaders.evaluate(function, {glm::vec4(along, 0), glm::vec4(0.5f)}).x;
+    worst = std::max(worst, std::abs(answer - 1.0 / 9));
+  }
+  return worst;
+}
+
 void add_texel_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("cube_texel (GLSL)");
   const ShaderFunction function =
@@ -121,6 +139,8 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
       if (size > 1) add_edge_rows(pcf, shaders, many_comparisons, {.pcf = size, .compare = compare});
     }
   }
+  pcf.close("along each axis: the square of directions has two sides", {rounding_unit, "absolute", "one of nine"},
+            [&shaders] { return spread_error(shaders); });
   lit.equals("a reference just as stored, and a float above and below it",
              [&shaders] {
                Values out;
