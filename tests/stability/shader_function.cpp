@@ -69,6 +69,22 @@ GLuint ShaderFunctions::program_for(const ShaderFunction& function) {
   return found->second.id();
 }
 
+GLuint ShaderFunctions::pipeline(const std::string& vertex, const std::string& geometry, const std::string& fragment) {
+  const std::string key = vertex + geometry + fragment;
+  auto found = programs_.find(key);
+  if (found == programs_.end()) {
+    const auto stage = [&](const std::string& text, const char* label) {
+      return assemble_shader_text(find_, text, label, {});
+    };
+    const ShaderSource middle = stage(geometry, "geometry shader");
+    found = programs_
+                .emplace(key, build_program(*gl_, stage(vertex, "vertex shader"), stage(fragment, "fragment shader"),
+                                            &middle))
+                .first;
+  }
+  return found->second.id();
+}
+
 std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
                                                  const std::vector<ShaderInput>& inputs) {
   Gl& gl = *gl_;
@@ -104,6 +120,7 @@ std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
   };
   bind(GL_TEXTURE_2D, function.textures);
   bind(GL_TEXTURE_2D_ARRAY, function.arrays);
+  bind(GL_TEXTURE_CUBE_MAP, function.cubes);
   gl.ActiveTexture(GL_TEXTURE0);
   const GlVertexArray nothing(gl);
   gl.BindVertexArray(nothing.id());

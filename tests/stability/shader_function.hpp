@@ -25,6 +25,7 @@ struct ShaderFunction {
   std::map<std::string, Values> uniforms{};  ///< float, vec2, vec3, vec4 or mat4 by the number of values
   std::map<std::string, GLuint> textures{};  ///< of kind 2D, by the sampler's name; they belong to the caller
   std::map<std::string, GLuint> arrays{};    ///< the same of kind 2D array
+  std::map<std::string, GLuint> cubes{};     ///< the same of kind cube map
 };
 
 /// The arguments of one call, a vec4 each.
@@ -42,6 +43,9 @@ class ShaderFunctions {
   std::vector<glm::vec4> evaluate(const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
   /// For a single input.
   glm::vec4 evaluate(const ShaderFunction& function, const ShaderInput& input);
+
+  /// A program of three stages, from their text; kept as long as this object. Throws ShaderError.
+  GLuint pipeline(const std::string& vertex, const std::string& geometry, const std::string& fragment);
 
   Gl& gl() { return *gl_; }
 

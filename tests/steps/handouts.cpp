@@ -141,7 +141,8 @@ TEST_CASE("a handout and the list of all tell the points of each tier", "[handou
     const std::string handout = handout_of(step);
     for (const auto& [tier, sum] : points) {
       INFO(tier);
-      CHECK(found(handout, "\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|") == Names{fmt::format("{}", sum)});
+      const Names told = found(handout, "\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|");
+      CHECK(told == (sum > 0 ? Names{fmt::format("{}", sum)} : Names{}));  // a tier without points has no row
     }
     const std::string row = fmt::format("| {} + {} + {} |", points["core"], points["further"], points["challenge"]);
     CHECK(list.find("(" + step.name + ".md)") < list.find(row));

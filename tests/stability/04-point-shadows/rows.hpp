@@ -1,0 +1,50 @@
+// The table of step 04, a function for each part of its contract.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <vector>
+
+#include "04-point-shadows/point_shadows.hpp"
+#include "gl/objects.hpp"
+#include "stability/random.hpp"
+#include "stability/shader_function.hpp"
+#include "stability/table.hpp"
+
+namespace atelier::stability {
+
+void add_face_rows(Table& table);
+void add_cone_rows(Table& table);
+void add_cube_rows(Table& table, ShaderFunctions& shaders);
+void add_drawing_rows(Table& table, ShaderFunctions& shaders);
+void add_lookup_rows(Table& table, ShaderFunctions& shaders);
+void add_factor_rows(Table& table, ShaderFunctions& shaders);
+
+inline constexpr float largest_float = std::numeric_limits<float>::max();
+
+/// A cube made by the step's own function, with one distance in all texels of each face.
+class FilledCube {
+ public:
+  FilledCube(Gl& gl, int resolution, GLenum format, bool compare, const std::array<float, 6>& faces);
+  GLuint texture() const { return texture_.id(); }
+
+ private:
+  point_shadows::CubeMap names_;
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
+};
+
+/// Which variant of the lookup: the defines that the program sets.
+struct Lookup {
+  int bias = 0, pcf = 1;
+  bool compare = false;
+};
+
+/// An expression over the step's lookup functions, with one cube.
+ShaderFunction lookup_function(std::vector<std::string> parameters, std::string expression, const Lookup& lookup = {});
+
+/// Directions of 1 along its greatest component that lie on the cube's edges and corners, and up to `off` beside them
+/// on each side: 12 edges at seven places each and 8 corners, nine of each.
+std::vector<glm::vec3> directions_near_edges(float off);
+
+}  // namespace atelier::stability
