@@ -12,13 +12,19 @@ namespace {
 
 using namespace point_shadows;
 
-/// The student's GLSL with one cube; `defines` choose the variant.
-std::string glsl(int bias, int pcf, bool compare) {
+/// Leaves it to the probe's arguments to declare u_bias and u_depth_step: shadows.glsl declares others in their place.
+const std::string bias_as_argument =
+    "#define u_bias u_other_bias\n#define u_depth_step u_other_depth_step\n"
+    "#include \"03-shadow-mapping/shadows.glsl\"\n"
+    "#undef u_bias\n#undef u_depth_step\n";
+
+/// The student's GLSL with one cube; `before` stands between its defines and itself.
+std::string glsl(int bias, int pcf, bool compare, const std::string& before = "") {
   return fmt::format(
-      "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n"
-      "#define CUBES 1\n#define BIAS {}\n#define PCF {}\n{}"
-      "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"04-point-shadows/point_shadows.glsl\"\n",
-      bias, pcf, compare ? "#define COMPARE 1\n" : "");
+             "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n"
+             "#define CUBES 1\n#define BIAS {}\n#define PCF {}\n{}",
+             bias, pcf, compare ? "#define COMPARE 1\n" : "") +
+         before + "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"04-point-shadows/point_shadows.glsl\"\n";
 }
 
 const std::string light_of_arguments = "CubeLight(light_position, far, 0)";
@@ -57,12 +63,11 @@ class TestCube {
 };
 
 /// A probe of a GLSL expression that reads the test cube.
-Probe cube_probe(int bias, int pcf, bool compare, const std::string& expression) {
-  return
-      [=, probe = shader_probe(glsl(bias, pcf, compare), expression, 1)](ProbeContext& context, const Arguments& in) {
-        const TestCube cube(context.gl, compare);
-        return probe(context, in);
-      };
+Probe cube_probe(const std::string& preamble, bool compare, const std::string& expression) {
+  return [=, probe = shader_probe(preamble, expression, 1)](ProbeContext& context, const Arguments& in) {
+    const TestCube cube(context.gl, compare);
+    return probe(context, in);
+  };
 }
 
 Numbers numbers_of(const glm::mat4& m) {
@@ -199,14 +204,16 @@ std::map<std::string, Probe> point_shadow_probes() {
       {"cone_around", probe_cone_around},
       {"stored_distance", shader_probe(pass, "vec4(stored_distance(position, light_position, far))", 1)},
       {"cube_texel", shader_probe(glsl(0, 1, false), "vec4(cube_texel(from_light, resolution))", 1)},
-      {"cube_lit", cube_probe(0, 1, false, "vec4(cube_lit(0, from_light, reference))")},
-      {"cube_lit_bilinear", cube_probe(0, 1, true, "vec4(cube_lit(0, from_light, reference))")},
-      {"cube_pcf", cube_probe(0, 3, false, "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))")},
-      {"cube_pcf_even", cube_probe(0, 2, false, "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))")},
+      {"cube_lit", cube_probe(glsl(0, 1, false), false, "vec4(cube_lit(0, from_light, reference))")},
+      {"cube_lit_bilinear", cube_probe(glsl(0, 1, true), true, "vec4(cube_lit(0, from_light, reference))")},
   };
+  const std::string filtered = "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))",
+                    factor = "vec4(point_shadow_factor(" + light_of_arguments + ", position, normal, to_light))";
+  probes["cube_pcf"] = cube_probe(glsl(0, 3, false), false, filtered);
+  probes["cube_pcf_even"] = cube_probe(glsl(0, 2, false), false, filtered);
   for (int bias = 0; bias <= 3; ++bias)
     probes[fmt::format("point_shadow_factor_{}", bias)] =
-        cube_probe(bias, 1, false, "vec4(point_shadow_factor(" + light_of_arguments + ", position, normal, to_light))");
+        cube_probe(glsl(bias, 1, false, bias_as_argument), false, factor);
   return probes;
 }
 
