@@ -22,6 +22,9 @@ class ShaderProbe {
   /// Samplers read what is bound to texture unit 0. Throws ShaderError with the author's file and line.
   glm::vec4 evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments);
 
+  /// The file that a shader of the probe's own includes by this name: a student's, or a given one.
+  std::filesystem::path find(const std::string& name) const { return implementations_.find(name); }
+
  private:
   Gl& gl_;
   const Implementations& implementations_;

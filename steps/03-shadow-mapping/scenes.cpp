@@ -217,21 +217,6 @@ void turn_lights(Scene& scene, double angle) {
   }
 }
 
-/// The same scene built `factor` times as large: lengths grow with it, and light falls off with the square of them.
-void enlarge(Scene& scene, double factor) {
-  for (Mesh& mesh : scene.meshes)
-    for (Vertex& vertex : mesh.vertices) vertex.position *= float(factor);
-  for (Node& node : scene.nodes) node.translation *= factor;
-  for (Light& light : scene.lights) {
-    light.position *= factor;
-    light.attenuation.y /= float(factor);
-    light.attenuation.z /= float(factor * factor);
-  }
-  Camera& camera = scene.camera;
-  camera.eye *= factor, camera.target *= factor;
-  camera.near *= float(factor), camera.far *= float(factor), camera.height *= float(factor);
-}
-
 Scene scene_named(const std::string& name, const Settings& settings) {
   if (name == "teapot") return teapot();
   if (name == "grazing") return grazing(settings);
@@ -247,6 +232,28 @@ Scene scene_named(const std::string& name, const Settings& settings) {
 
 }  // namespace
 
+void enlarge(Scene& scene, double factor) {
+  for (Mesh& mesh : scene.meshes)
+    for (Vertex& vertex : mesh.vertices) vertex.position *= float(factor);
+  for (Node& node : scene.nodes) node.translation *= factor;
+  for (Light& light : scene.lights) {
+    light.position *= factor;
+    light.attenuation.y /= float(factor);
+    light.attenuation.z /= float(factor * factor);
+  }
+  Camera& camera = scene.camera;
+  camera.eye *= factor, camera.target *= factor;
+  camera.near *= float(factor), camera.far *= float(factor), camera.height *= float(factor);
+}
+
+SettingSpec scale_setting() {
+  return {.name = "scene.scale",
+          .fallback = 1.0,
+          .low = 1e-3,
+          .high = 1e5,
+          .help = "how large the scene is built; the picture should not change"};
+}
+
 std::vector<std::string> shadow_scene_names() {
   return {"teapot", "grazing", "table", "three-spots", "penumbra", "colonnade", "edges", "cubes"};
 }
@@ -258,11 +265,7 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .low = -360,
        .high = 360,
        .help = "degrees by which all lights are turned about the vertical axis"},
-      {.name = "scene.scale",
-       .fallback = 1.0,
-       .low = 1e-3,
-       .high = 1e5,
-       .help = "how large the scene is built; the picture should not change"},
+      scale_setting(),
       {.name = "scene.casters",
        .fallback = std::string("flagged"),
        .choices = {"flagged", "all"},

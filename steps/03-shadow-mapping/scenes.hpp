@@ -12,4 +12,11 @@ std::vector<SettingSpec> shadow_scene_settings();
 /// A scene as the settings that belong to it shape it. Throws Error for an unknown name.
 Scene make_shadow_scene(const std::string& name, const Settings& settings);
 
+/// The same scene built `factor` times as large (above 0): lengths grow with it, and light falls off with the square of
+/// them, so that the picture stays as it is.
+void enlarge(Scene& scene, double factor);
+
+/// scene.scale, the factor that a user chooses.
+SettingSpec scale_setting();
+
 }  // namespace atelier

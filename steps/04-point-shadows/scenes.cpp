@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "03-shadow-mapping/scenes.hpp"
 #include "04-point-shadows/studies.hpp"
 #include "04-point-shadows/walls.hpp"
 #include "base/error.hpp"
@@ -140,15 +141,20 @@ std::vector<std::string> point_scene_names() {
 }
 
 std::vector<SettingSpec> point_scene_settings() {
-  return {{.name = "view.turn",
-           .fallback = 0.0,
-           .low = -360,
-           .high = 360,
-           .help = "of the scene 'lantern': degrees by which the camera stands turned about the vertical axis"}};
+  return {
+      {.name = "view.turn",
+       .fallback = 0.0,
+       .low = -360,
+       .high = 360,
+       .help = "of the scene 'lantern': degrees by which the camera stands turned about the vertical axis"},
+      scale_setting(),
+  };
 }
 
 Scene make_point_scene(const std::string& name, const Settings& settings) {
-  return scene_named(name, settings);
+  Scene scene = scene_named(name, settings);
+  if (const double scale = settings.real("scene.scale"); scale != 1) enlarge(scene, scale);
+  return scene;
 }
 
 }  // namespace atelier
