@@ -15,6 +15,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 size=320x240
+same=(-define png:exclude-chunks=date,time) # the same picture is the same file
 
 # draw NAME STEP ARGUMENTS...: one picture into the scratch folder
 draw() {
@@ -27,14 +28,14 @@ draw() {
 single() { cp "$scratch/$1.png" "$out/$1.png"; }
 
 # pair NAME LEFT RIGHT
-pair() { convert "$scratch/$2.png" "$scratch/$3.png" -background white +smush 8 "$out/$1.png"; }
+pair() { convert "$scratch/$2.png" "$scratch/$3.png" -background white +smush 8 "${same[@]}" "$out/$1.png"; }
 
 # sheet NAME COLUMNS PICTURE=LABEL...: a labelled sheet of pictures of one size
 sheet() {
   local name=$1 columns=$2 tile arguments=()
   shift 2
   for tile in "$@"; do arguments+=(-label "${tile#*=}" "$scratch/${tile%%=*}.png"); done
-  montage -font DejaVu-Sans -pointsize 11 -geometry +3+3 -tile "${columns}x" "${arguments[@]}" "$out/$name.png"
+  montage -font DejaVu-Sans -pointsize 11 -geometry +3+3 -tile "${columns}x" "${arguments[@]}" "${same[@]}" "$out/$name.png"
 }
 
 # part GEOMETRY NAME...: what remains of pictures
@@ -50,7 +51,7 @@ mistakes() {
   shift 2
   for tile in "$@"; do arguments+=(-label "${tile#*--}" "$root/tests/cases/$step/atlas/$tile.png"); done
   montage -font DejaVu-Sans -pointsize 9 -geometry 104x104+3+3 -tile 4x "${arguments[@]}" "$scratch/$name.png"
-  convert "$scratch/$name.png" +dither -colors 255 "PNG8:$out/$name.png"
+  convert "$scratch/$name.png" +dither -colors 255 "${same[@]}" "PNG8:$out/$name.png"
 }
 
 draw 00-triangle 00-hello && single 00-triangle
