@@ -152,6 +152,6 @@ draw crates $step --scene crates && draw factor $step --scene crates --output sh
 draw 04-desk $step --scene desk && single 04-desk
 draw 04-touching $step --scene touching && single 04-touching
 mistakes $step 04-mistakes lantern--{up-vectors,faces-exchanged,layer-zero,last-face-left-out} \
-  lantern--{lamp-minus-point,depth-along-axis,viewport-missing,end-primitive-missing,far-forgotten,beyond-far-dark} \
-  crates--{comparison-reversed,distance-not-divided,distance-squared} room--{texel-half,looks-at-axis} \
-  pcf-4--pcf-in-one-plane
+  lantern--{lamp-minus-point,depth-along-axis,viewport-missing,far-forgotten,beyond-far-dark} \
+  lantern-behind--end-primitive-missing crates--{comparison-reversed,distance-not-divided,distance-squared} \
+  room--{texel-half,looks-at-axis} pcf-4--pcf-in-one-plane

@@ -2,83 +2,17 @@
 // it changes no pixel by 1/255.
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "base/file.hpp"
-#include "case/case.hpp"
-#include "case/exchange.hpp"
 #include "catch.hpp"
 #include "command.hpp"
-#include "image/colour.hpp"
+#include "drawn.hpp"
 #include "scene/builtin.hpp"
 
 using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
-
-namespace {
-
-struct Drawn {
-  Image picture;
-  std::map<std::string, std::int64_t> counts;
-};
-
-/// Has a step's program draw pictures by the solutions, all in one process, and tell what each has cost. The names of
-/// the cases are their places: "0", "1" ...
-std::vector<Drawn> drawn(const std::string& step, std::vector<Case> pictures) {
-  const TemporaryFolder folder("atelier-steps-test");
-  json cases = json::array();
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    pictures[i].name = std::to_string(i);
-    cases.push_back(to_json(pictures[i]));
-  }
-  const auto job = folder.path() / "job.json";
-  write_file(job, json{{"cases", cases}}.dump());
-  const std::string code = (folders().implementations() / "solutions").string() + ":" + folders().solutions().string();
-  const Finished finished =
-      run_process({.arguments = {folders().program(step).string(), "--cases", job.string(), "--out",
-                                 folder.path().string(), "--stats", "--implementations", code}});
-  INFO(finished.output);
-  REQUIRE(finished.ok());
-  std::vector<Drawn> all;
-  for (const Case& picture : pictures) {
-    INFO("picture " << picture.name << ", " << picture.scene << ": "
-                    << read_case_error(folder.path() / (picture.name + ".error")));
-    REQUIRE(std::filesystem::exists(folder.path() / (picture.name + ".stats")));
-    const json stats = json::parse(read_file(folder.path() / (picture.name + ".stats")));
-    all.push_back({read_pixels(folder.path() / (picture.name + ".pixels"), picture.size), stats["counts"]});
-  }
-  return all;
-}
-
-Case picture(const std::string& scene, std::map<std::string, SettingValue> settings = {},
-             const std::string& output = "colour") {
-  Case made;
-  made.scene = scene;
-  made.size = {160, 120};
-  made.settings = std::move(settings);
-  made.output = output;
-  return made;
-}
-
-/// The largest difference of two pictures after encoding, in units of 1/255.
-double codes_apart(const Image& a, const Image& b) {
-  REQUIRE(a.same_size(b));
-  double most = 0;
-  const auto apart = [](float x, float y) { return 255 * std::abs(srgb_encode(double(x)) - srgb_encode(double(y))); };
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const Rgba &p = a.pixels()[i], &q = b.pixels()[i];
-    most = std::max({most, apart(p.r, q.r), apart(p.g, q.g), apart(p.b, q.b)});
-  }
-  return most;
-}
-
-int pixels_apart(const Image& a, const Image& b) {
-  int different = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) different += a.pixels()[i] != b.pixels()[i];
-  return different;
-}
-
-}  // namespace
 
 TEST_CASE("a scene without something has no cost of it", "[required]") {
   const struct {

@@ -1,0 +1,36 @@
+// Pictures that a step's program draws by the solutions, with what they cost, for tests of what a scene requires.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "case/case.hpp"
+#include "image/image.hpp"
+
+namespace atelier::test {
+
+struct Drawn {
+  Image picture;
+  std::map<std::string, std::int64_t> counts;
+};
+
+/// Has a step's program draw pictures by the solutions, all in one process, and tell what each has cost. The names of
+/// the cases are their places: "0", "1" ...
+std::vector<Drawn> drawn(const std::string& step, std::vector<Case> pictures);
+
+/// What the same picture costs once it has been drawn before.
+std::map<std::string, std::int64_t> counts_at_rest(const std::string& step, const Case& picture);
+
+/// 160 x 120 pixels.
+Case picture(const std::string& scene, std::map<std::string, SettingValue> settings = {},
+             const std::string& output = "colour");
+
+/// The largest difference of two pictures after encoding, in units of 1/255.
+double codes_apart(const Image& a, const Image& b);
+
+/// How many pixels are not the same to the last bit.
+int pixels_apart(const Image& a, const Image& b);
+
+}  // namespace atelier::test

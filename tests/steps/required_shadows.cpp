@@ -1,0 +1,131 @@
+// Only the shadows that a scene requires: no map, no pass and no shader code for what cannot be seen to be in shadow.
+#include "catch.hpp"
+#include "drawn.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+
+namespace {
+
+constexpr const char* step = "03-shadow-mapping";
+constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< floats, and 24 bits of depth in 32
+constexpr std::int64_t map_bytes = 256 * 256 * 4;             ///< the same of a map
+
+/// With maps of 256 x 256 texels.
+Case shadowed(const std::string& scene, std::map<std::string, SettingValue> settings = {},
+              const std::string& output = "colour") {
+  settings["shadow.resolution"] = 256;
+  return picture(scene, std::move(settings), output);
+}
+
+}  // namespace
+
+TEST_CASE("shadows that a scene does not have cost nothing", "[required]") {
+  const struct {
+    const char* name;
+    Case picture;
+    std::map<std::string, std::int64_t> costs;
+  } rows[] = {
+      {"a lamp and what casts: one map, one pass into it, one texture looked up",
+       shadowed("table"),
+       {{"passes", 2}, {"texture_sources", 1}, {"target_bytes", picture_bytes + map_bytes}}},
+      {"no lamp: no map, no pass, no code, no normal",
+       shadowed("table", {{"light.count", 0}}),
+       {{"passes", 1}, {"texture_sources", 0}, {"target_bytes", picture_bytes}, {"attributes", 1}}},
+      {"three lamps: a map and a pass each, in one texture",
+       shadowed("three-spots"),
+       {{"passes", 4}, {"target_bytes", picture_bytes + 3 * map_bytes}}},
+      {"the first of them alone",
+       shadowed("three-spots", {{"light.count", 1}}),
+       {{"passes", 2}, {"target_bytes", picture_bytes + map_bytes}}},
+      {"two lamps, and one that shines at the sky, where nothing casts: two maps",
+       shadowed("edges"),
+       {{"lights", 3}, {"passes", 3}, {"target_bytes", picture_bytes + 2 * map_bytes}}},
+      {"16 bits of depth are half as many bytes",
+       shadowed("table", {{"shadow.format", std::string("16")}}),
+       {{"target_bytes", picture_bytes + map_bytes / 2}}},
+  };
+  std::vector<Case> pictures;
+  for (const auto& row : rows) pictures.push_back(row.picture);
+  const auto all = drawn(step, pictures);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& [count, expected] : rows[i].costs) {
+      INFO(rows[i].name << ": " << count);
+      CHECK(all[i].counts.at(count) == expected);
+    }
+}
+
+TEST_CASE("what receives no shadow has no code for it", "[required]") {
+  // Beside the variants that the materials themselves make: one for the box that receives nothing, one for the maps.
+  const auto all = drawn(step, {shadowed("edges"), shadowed("edges", {{"light.count", 0}})});
+  CHECK(all[0].counts.at("variants") == all[1].counts.at("variants") + 2);
+}
+
+TEST_CASE("only what casts within a light's sight is drawn into its map", "[required]") {
+  // From far down the colonnade, where most of it is behind the eye.
+  Case scene = shadowed("colonnade"), visible = shadowed("colonnade", {{"shadow.fit", std::string("visible")}});
+  for (Case* one : {&scene, &visible}) {
+    one->camera.eye = glm::dvec3(0.3, 1.7, -14);
+    one->camera.target = glm::dvec3(0, 1.5, -20);
+  }
+  const auto all = drawn(step, {shadowed("table", {{"light.count", 0}}), shadowed("table"), scene, visible});
+  const auto draws = [&](std::size_t i) { return all[i].counts.at("draws"); };
+  CHECK(draws(1) - draws(0) == 6);  // top, four legs and ball; the floor casts no shadow
+  CHECK(draws(3) < draws(2) - 20);  // what throws its shadow out of sight
+  CHECK(draws(3) > 0);
+}
+
+TEST_CASE("maps of what stands still are drawn once", "[required]") {
+  for (const char* scene : {"table", "three-spots", "edges", "colonnade"}) {
+    INFO(scene);
+    const auto first = drawn(step, {shadowed(scene)})[0].counts;
+    const auto later = counts_at_rest(step, shadowed(scene));
+    CHECK(first.at("passes") > 1);
+    CHECK(later.at("passes") == 1);
+    CHECK(later.at("draws") < first.at("draws"));
+    CHECK(later.at("allocated_bytes") == 0);
+    const auto always = counts_at_rest(step, shadowed(scene, {{"shadow.update", std::string("always")}}));
+    CHECK(always.at("passes") == first.at("passes"));
+    CHECK(always.at("draws") == first.at("draws"));
+  }
+}
+
+TEST_CASE("a sun asks no perspective", "[required]") {
+  // Its box begins at the plane 0, which step 01's perspective refuses: a picture at all is the proof.
+  const auto all = drawn(step, {shadowed("colonnade"), shadowed("grazing")});
+  for (const Drawn& one : all) CHECK(one.counts.at("passes") == 2);
+}
+
+TEST_CASE("shadows do not depend on the size of the scene", "[required]") {
+  std::vector<Case> pictures;
+  for (const double scale : {1.0, 1e-3, 1e5})
+    for (const char* bias : {"constant", "slope", "normal", "plane"})
+      pictures.push_back(
+          shadowed("table", {{"scene.scale", scale}, {"shadow.bias", std::string(bias)}}, "shadow_factor"));
+  const auto all = drawn(step, pictures);
+  for (std::size_t i = 4; i < all.size(); ++i) {
+    INFO("picture " << i);
+    // Roundings move the edges of shadows across the middles of a few of the 19200 pixels.
+    CHECK(pixels_apart(all[i].picture, all[i % 4].picture) <= 20);
+  }
+}
+
+TEST_CASE("a map of one texel, and light at 89.9 degrees, still give shares of light", "[required]") {
+  std::vector<Case> pictures;
+  for (const char* bias : {"none", "constant", "slope", "normal", "plane", "front-faces"})
+    for (const char* soft : {"pcf", "pcss"}) {
+      Case one = shadowed(
+          "table", {{"shadow.bias", std::string(bias)}, {"shadow.soft", std::string(soft)}, {"light.width", 0.5}},
+          "shadow_factor");
+      one.settings["shadow.resolution"] = 1;
+      pictures.push_back(one);
+      pictures.push_back(shadowed(
+          "grazing", {{"shadow.bias", std::string(bias)}, {"shadow.soft", std::string(soft)}, {"grazing.angle", 89.9}},
+          "shadow_factor"));
+    }
+  for (const Drawn& one : drawn(step, pictures)) {
+    int strange = 0;
+    for (const Rgba& p : one.picture.pixels()) strange += !(p.r >= 0 && p.r <= 1);
+    CHECK(strange == 0);
+  }
+}
