@@ -315,6 +315,7 @@ void Renderer::render(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target);
   place(viewpoint);
   clear_state();
+  target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
   for (const auto& feature : features_) feature->draw_before(gl_, *scene_, viewpoint, *this);
   begin(viewpoint, target);
   if (!drawn_instead(view, target)) draw_all(viewpoint);

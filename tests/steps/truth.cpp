@@ -259,7 +259,8 @@ TEST_CASE("every scene is the truth in every output, under every setting that mu
   };
   // "triangle" has no outputs but its colour, which is a case. What is drawn comes here as whole floats. Depth is
   // reversed, so that slats and pairs are told apart (no pair's edge lies on a middle of 64 rows); the wall is as good
-  // as round; textures are taken without mipmaps. "stretched" has two surfaces in one place, as its case says.
+  // as round; textures are taken without mipmaps. "stretched" has two surfaces in one place, as its case says. In
+  // "touching" a lamp lies in the floor: which side of it the floor hides is a matter of rounding.
   const std::vector<Row> rows = {
       {"colour", "colour", {}, {}},
       {"normal", "normal", {Measure::degrees, 0.05, false}, {}},  // compare.hpp: angles are good to 0.02 degrees
@@ -287,6 +288,7 @@ TEST_CASE("every scene is the truth in every output, under every setting that mu
       std::vector<Case> asks;
       for (const json& scene : offers["scenes"]) {
         if (scene == "triangle" || scene == "stretched") continue;
+        if (scene == "touching" && row.output == std::string("colour")) continue;
         const bool asks_much_of_depth = scene == "slats" || scene == "depth-pairs";
         if (asks_much_of_depth && row.settings.contains("depth.format")) continue;
         Case& ask = asks.emplace_back(Case{.name = scene.get<std::string>() + "-" + row.name,
@@ -297,6 +299,10 @@ TEST_CASE("every scene is the truth in every output, under every setting that mu
         if (settings.contains("texture.filter")) ask.settings["texture.filter"] = std::string("linear");
         if (settings.contains("depth.format")) ask.settings.try_emplace("depth.format", std::string("32f-reversed"));
         if (settings.contains("hall.segments")) ask.settings["hall.segments"] = 4096;
+        // Texels of shadow maps far smaller than the pixels, so that the edges of shadows are where they should be.
+        if (settings.contains("shadow.resolution")) ask.settings["shadow.resolution"] = 4096;
+        if (settings.contains("shadow.fit")) ask.settings["shadow.fit"] = std::string("casters");
+        if (settings.contains("cube.resolution")) ask.settings["cube.resolution"] = 3072;
       }
       const auto truth = truths(workshop, solution, with_edges(asks));
       const auto drawn = judge::run_cases(workshop.settings(solution), asks);
