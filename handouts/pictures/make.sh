@@ -3,7 +3,7 @@
 #
 #   handouts/pictures/make.sh [BUILD_FOLDER]     (build/release by default; needs ImageMagick)
 #
-# An animation stands at the end: the light that goes round in step 03.
+# One is an animation: the light that goes round in step 03.
 #
 # The small pictures of mistakes are those that the judge compares answers with: tests/cases/*/atlas.
 set -euo pipefail
