@@ -261,6 +261,7 @@ TEST_CASE("every scene is the truth in every output, under every setting that mu
   // reversed, so that slats and pairs are told apart (no pair's edge lies on a middle of 64 rows); the wall is as good
   // as round; textures are taken without mipmaps. "stretched" has two surfaces in one place, as its case says. In
   // "touching" a lamp lies in the floor: which side of it the floor hides is a matter of rounding.
+  // "lantern" is full of shadows' edges at this size; its cases hold it against the truth at a larger one.
   const std::vector<Row> rows = {
       {"colour", "colour", {}, {}},
       {"normal", "normal", {Measure::degrees, 0.05, false}, {}},  // compare.hpp: angles are good to 0.02 degrees
@@ -288,7 +289,7 @@ TEST_CASE("every scene is the truth in every output, under every setting that mu
       std::vector<Case> asks;
       for (const json& scene : offers["scenes"]) {
         if (scene == "triangle" || scene == "stretched") continue;
-        if (scene == "touching" && row.output == std::string("colour")) continue;
+        if ((scene == "touching" || scene == "lantern") && row.output == std::string("colour")) continue;
         const bool asks_much_of_depth = scene == "slats" || scene == "depth-pairs";
         if (asks_much_of_depth && row.settings.contains("depth.format")) continue;
         Case& ask = asks.emplace_back(Case{.name = scene.get<std::string>() + "-" + row.name,
