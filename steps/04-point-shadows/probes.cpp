@@ -182,30 +182,51 @@ Numbers probe_begin_cube_pass(ProbeContext& context, const Arguments& in) {
   return out;
 }
 
-/// What draw_in_faces makes of one triangle, in a cube of 8 x 8 texels a face: of each face, how many texels are
-/// covered, and the g_position_world.z that arrives in columns 0, 3 and 7 of row `face`; 1 where nothing was drawn. The
-/// corners are (-1, -1), (0.9, -1) and (-1, 0.9) with z = (x + 1) / 16, and face i's matrix moves them i texels up and,
-/// where i is odd, mirrors them: so each face tells what was meant for it, and triangles that join two faces are seen.
+/// One triangle, spread over faces by draw_in_faces; what is stored is g_position_world.z. The corners are (-1, -1),
+/// (0.9, -1) and (-1, 0.9), with z = (x + 1) / 16.
+GlProgram spreading_program(ProbeContext& context) {
+  const FindFile find = [&](const std::string& name) { return context.shaders.find(name); };
+  const auto stage = [&](const char* text, const char* label) { return assemble_shader_text(find, text, label, {}); };
+  const ShaderSource geometry = stage(
+      "#define GEOMETRY\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 18) out;\n"
+      "in vec3 v_corner_world[];\nout vec3 g_position_world;\n"
+      "uniform mat4 u_face_matrices[6];\nuniform float u_face_wanted[6];\n"
+      "#include \"04-point-shadows/cube_pass.glsl\"\nvoid main() { draw_in_faces(); }\n",
+      "probe geometry shader");
+  return build_program(
+      context.gl,
+      stage("out vec3 v_corner_world;\nvoid main() {\n"
+            "  vec2 corner = vec2(gl_VertexID == 1 ? 0.9 : -1.0, gl_VertexID == 2 ? 0.9 : -1.0);\n"
+            "  v_corner_world = vec3(corner, (corner.x + 1.0) / 16.0);\n}\n",
+            "probe vertex shader"),
+      stage("in vec3 g_position_world;\nvoid main() { gl_FragDepth = g_position_world.z; }\n", "probe fragment shader"),
+      &geometry);
+}
+
+/// Face i's matrix moves everything i of `side` texels up and, where i is odd, mirrors it: so each face tells what was
+/// meant for it, and triangles that join two faces are seen.
+void set_faces(Gl& gl, const GlProgram& program, int side, const std::vector<double>& wanted) {
+  gl.UseProgram(program.id());
+  for (int face = 0; face < 6; ++face) {
+    glm::mat4 matrix(1.0f);
+    matrix[2][2] = 0;  // the depth that is stored is the fragment shader's
+    matrix[3][1] = 2.0f * float(face) / float(side);
+    if (face % 2 == 1) matrix[0][0] = -1;
+    const auto at = [&](const char* name) {
+      return gl.GetUniformLocation(program.id(), fmt::format("{}[{}]", name, face).c_str());
+    };
+    const float want = float(wanted.at(std::size_t(face)));
+    gl.UniformMatrix4fv(at("u_face_matrices"), 1, GL_FALSE, &matrix[0][0]);
+    gl.Uniform1fv(at("u_face_wanted"), 1, &want);
+  }
+}
+
+/// What draw_in_faces makes of the triangle above in a cube of 8 x 8 texels a face: of each face, how many texels are
+/// covered, and what arrives in columns 0, 3 and 7 of row `face`; 1 where nothing was drawn.
 Numbers probe_draw_in_faces(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   constexpr int side = 8;
-  const FindFile find = [&](const std::string& name) { return context.shaders.find(name); };
-  const auto stage = [&](const char* text, const char* label) { return assemble_shader_text(find, text, label, {}); };
-  const ShaderSource vertex = stage(
-                         "out vec3 v_corner_world;\nvoid main() {\n"
-                         "  vec2 corner = vec2(gl_VertexID == 1 ? 0.9 : -1.0, gl_VertexID == 2 ? 0.9 : -1.0);\n"
-                         "  v_corner_world = vec3(corner, (corner.x + 1.0) / 16.0);\n}\n",
-                         "probe vertex shader"),
-                     geometry = stage(
-                         "#define GEOMETRY\nlayout(triangles) in;\nlayout(triangle_strip, max_vertices = 18) out;\n"
-                         "in vec3 v_corner_world[];\nout vec3 g_position_world;\n"
-                         "uniform mat4 u_face_matrices[6];\nuniform float u_face_wanted[6];\n"
-                         "#include \"04-point-shadows/cube_pass.glsl\"\nvoid main() { draw_in_faces(); }\n",
-                         "probe geometry shader"),
-                     fragment = stage("in vec3 g_position_world;\nvoid main() { gl_FragDepth = g_position_world.z; }\n",
-                                      "probe fragment shader");
-  const GlProgram program = build_program(gl, vertex, fragment, &geometry);
-
+  const GlProgram program = spreading_program(context);
   const GlTexture texture(gl);
   const GlFramebuffer framebuffer(gl);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
@@ -224,20 +245,7 @@ Numbers probe_draw_in_faces(ProbeContext& context, const Arguments& in) {
   gl.ClearDepth(1);
   gl.Clear(GL_DEPTH_BUFFER_BIT);
 
-  gl.UseProgram(program.id());
-  const std::vector<double>& wanted = in.numbers("wanted");
-  for (int face = 0; face < 6; ++face) {
-    glm::mat4 matrix(1.0f);
-    matrix[2][2] = 0;  // the depth that is stored is the fragment shader's
-    matrix[3][1] = 2.0f * float(face) / side;
-    if (face % 2 == 1) matrix[0][0] = -1;
-    const auto at = [&](const char* name) {
-      return gl.GetUniformLocation(program.id(), fmt::format("{}[{}]", name, face).c_str());
-    };
-    const float want = float(wanted.at(std::size_t(face)));
-    gl.UniformMatrix4fv(at("u_face_matrices"), 1, GL_FALSE, &matrix[0][0]);
-    gl.Uniform1fv(at("u_face_wanted"), 1, &want);
-  }
+  set_faces(gl, program, side, in.numbers("wanted"));
   const GlVertexArray nothing(gl);
   gl.BindVertexArray(nothing.id());
   gl.DrawArrays(GL_TRIANGLES, 0, 3);
