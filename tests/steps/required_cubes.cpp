@@ -1,0 +1,90 @@
+// Only the cubes that lamps require: one map where casters fit a cone, no cube for a lamp that casts none, no drawing
+// into faces that see no caster.
+#include "catch.hpp"
+#include "drawn.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+
+namespace {
+
+constexpr const char* step = "04-point-shadows";
+constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< floats, and 24 bits of depth in 32
+constexpr std::int64_t face_bytes = 128 * 128 * 4;            ///< the same of a face
+constexpr std::int64_t map_bytes = 256 * 256 * 4;
+
+/// With cubes of 128 texels an edge and maps of 256.
+Case lamp_lit(const std::string& scene, std::map<std::string, SettingValue> settings = {}) {
+  settings["cube.resolution"] = 128;
+  settings["shadow.resolution"] = 256;
+  return picture(scene, std::move(settings));
+}
+
+const SettingValue never = std::string("never"), six = std::string("six"), all_faces = std::string("all");
+
+}  // namespace
+
+TEST_CASE("lamps that need no cube have none", "[required]") {
+  const struct {
+    const char* name;
+    Case picture;
+    std::map<std::string, std::int64_t> costs;
+  } rows[] = {
+      {"casters all round: a cube, one pass for its six faces, one texture",
+       lamp_lit("lantern"),
+       {{"passes", 2}, {"texture_sources", 1}, {"target_bytes", picture_bytes + 6 * face_bytes}}},
+      {"casters within a cone: one map of step 03, and no cube",
+       lamp_lit("desk"),
+       {{"passes", 2}, {"target_bytes", picture_bytes + map_bytes}}},
+      {"the same by a cube",
+       lamp_lit("desk", {{"cube.instead", never}}),
+       {{"target_bytes", picture_bytes + 6 * face_bytes}}},
+      {"no lamp: nothing", lamp_lit("lantern", {{"light.count", 0}}), {{"passes", 1}, {"target_bytes", picture_bytes}}},
+      {"two lamps, one of which casts no shadow: one cube",
+       lamp_lit("room"),
+       {{"lights", 2}, {"passes", 2}, {"target_bytes", picture_bytes + 6 * face_bytes}}},
+      {"three lamps: three cubes",
+       lamp_lit("touching"),
+       {{"lights", 3}, {"passes", 4}, {"texture_sources", 3}, {"target_bytes", picture_bytes + 18 * face_bytes}}},
+      {"16 bits are half as many bytes",
+       lamp_lit("lantern", {{"shadow.format", std::string("16")}}),
+       {{"target_bytes", picture_bytes + 3 * face_bytes}}},
+  };
+  std::vector<Case> pictures;
+  for (const auto& row : rows) pictures.push_back(row.picture);
+  const auto all = drawn(step, pictures);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& [count, expected] : rows[i].costs) {
+      INFO(rows[i].name << ": " << count);
+      CHECK(all[i].counts.at(count) == expected);
+    }
+}
+
+TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {
+  const auto all = drawn(
+      step, {lamp_lit("crates", {{"light.count", 0}}), lamp_lit("crates"), lamp_lit("crates", {{"cube.passes", six}}),
+             lamp_lit("crates", {{"cube.passes", six}, {"cube.faces", all_faces}})});
+  const auto more = [&](std::size_t i, const char* count) { return all[i].counts.at(count) - all[0].counts.at(count); };
+  CHECK(more(1, "draws") == 5);  // crates alone: the walls cast no shadow
+  CHECK(more(1, "passes") == 1);
+  CHECK(more(3, "draws") == 6 * 5);
+  CHECK(more(3, "passes") == 1 + 6);  // one that clears all faces
+  CHECK(more(2, "draws") < 2 * 5);    // most crates stand in one face
+  CHECK(more(2, "passes") == 1 + 5);  // nothing stands before the lamp: +z
+  for (const std::size_t i : {2u, 3u}) CHECK(pixels_apart(all[i].picture, all[1].picture) == 0);
+}
+
+TEST_CASE("cubes of what stands still are drawn once", "[required]") {
+  for (const char* scene : {"lantern", "room", "touching", "desk"}) {
+    INFO(scene);
+    const auto first = drawn(step, {lamp_lit(scene)})[0].counts;
+    const auto later = counts_at_rest(step, lamp_lit(scene));
+    CHECK(first.at("passes") > 1);
+    CHECK(later.at("passes") == 1);
+    CHECK(later.at("draws") < first.at("draws"));
+    CHECK(later.at("allocated_bytes") == 0);
+    const auto always = counts_at_rest(step, lamp_lit(scene, {{"shadow.update", std::string("always")}}));
+    CHECK(always.at("passes") == first.at("passes"));
+    CHECK(always.at("draws") == first.at("draws"));
+  }
+}
