@@ -18,6 +18,10 @@ bool is_choice(const SettingSpec& spec) {
   return std::holds_alternative<std::string>(spec.fallback);
 }
 
+bool has_choice(const SettingSpec& spec, const std::string& name) {
+  return std::find(spec.choices.begin(), spec.choices.end(), name) != spec.choices.end();
+}
+
 std::string type_name(const SettingValue& value) {
   static const char* const names[] = {"on or off", "a whole number", "a number", "a choice"};
   return names[value.index()];
@@ -47,19 +51,21 @@ bool parse_flag(std::string_view text, bool& flag) {
   return flag || text == "off" || text == "false";
 }
 
-/// `value` as the type and in the range of `spec`; a whole number serves where a real is wanted, nothing else converts.
+/// `value` as the type and in the range of `spec`. A whole number serves where a real is wanted, and where a choice is
+/// wanted that looks like one ("16"), since whoever wrote it down may not have known; nothing else converts.
 SettingValue checked(const SettingSpec& spec, SettingValue value) {
   if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<int>(value)) {
     value = double(std::get<int>(value));
+  } else if (std::holds_alternative<int>(value) && has_choice(spec, setting_text(value))) {
+    value = setting_text(value);
   }
   if (value.index() != spec.fallback.index()) refuse(spec, shown(value));
   if (const int* number = std::get_if<int>(&value)) {
     if (*number < spec.low || *number > spec.high) refuse(spec, shown(value));
   } else if (const double* real = std::get_if<double>(&value)) {
     if (!(*real >= spec.low && *real <= spec.high)) refuse(spec, shown(value));  // a NaN is in no range
-  } else if (is_choice(spec)) {
-    const std::string& name = std::get<std::string>(value);
-    if (std::find(spec.choices.begin(), spec.choices.end(), name) == spec.choices.end()) refuse(spec, shown(value));
+  } else if (is_choice(spec) && !has_choice(spec, std::get<std::string>(value))) {
+    refuse(spec, shown(value));
   }
   return value;
 }

@@ -38,7 +38,8 @@ class Settings {
   void set(std::string_view name, std::string_view text);
   void set(std::string_view name, const char* text) { set(name, std::string_view(text)); }
   void set(std::string_view name, const std::string& text) { set(name, std::string_view(text)); }
-  /// Sets from a typed value, as from a case file: a whole number serves for a real, nothing else converts.
+  /// Sets from a typed value, as from a case file: a whole number serves for a real, and for a choice that looks like
+  /// one ("16"); nothing else converts.
   void set(std::string_view name, const SettingValue& value);
 
   /// Each throws Error for an unknown name and for a setting of another type.

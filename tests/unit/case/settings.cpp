@@ -14,6 +14,7 @@ Settings example() {
       {.name = "shadow.bias", .fallback = 0.5, .low = 0, .high = 2, .help = "texels"},
       {.name = "shadow.kind", .fallback = std::string("slope"), .choices = {"none", "constant", "slope"}, .help = ""},
       {.name = "shadow.on", .fallback = true, .help = ""},
+      {.name = "shadow.format", .fallback = std::string("24"), .choices = {"16", "24", "32f"}, .help = "bits"},
   });
 }
 
@@ -41,6 +42,8 @@ TEST_CASE("settings are set from text and from values, ends of ranges included")
   CHECK(settings.real("shadow.bias") == 1e-3);
   settings.set("shadow.kind", std::string("none"));
   CHECK(settings.choice("shadow.kind") == "none");
+  settings.set("shadow.format", SettingValue(16));  // a file in which nobody knew that it is a name
+  CHECK(settings.choice("shadow.format") == "16");
   for (const char* off : {"off", "false"}) {
     settings.set("shadow.on", off);
     CHECK_FALSE(settings.flag("shadow.on"));
@@ -67,7 +70,7 @@ TEST_CASE("settings refuse text with the value and what is allowed") {
       {"shadow.kind", "\x1b[31m", "\xEF\xBF\xBD[31m"},
       {"shadow.on", "maybe", "it takes on, off"},
       {"shadow.resolutoin", "64", "did you mean 'shadow.resolution'?"},
-      {"fog", "64", "known are shadow.resolution, shadow.bias, shadow.kind, shadow.on"},
+      {"fog", "64", "known are shadow.resolution, shadow.bias, shadow.kind, shadow.on, shadow.format"},
   };
   for (const Row& row : rows) {
     Settings settings = example();
@@ -78,7 +81,7 @@ TEST_CASE("settings refuse text with the value and what is allowed") {
   }
 }
 
-TEST_CASE("typed values do not convert, except a whole number to a real") {
+TEST_CASE("typed values do not convert, except a whole number to a real or to a choice of that name") {
   struct Row {
     const char* name;
     SettingValue value;
