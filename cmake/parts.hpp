@@ -18,3 +18,7 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+// JSON's classes are compiled once, in common/case/json_classes.cpp, and not anew in each file that uses them.
+extern template class nlohmann::basic_json<>;
+extern template class nlohmann::basic_json<nlohmann::ordered_map>;
