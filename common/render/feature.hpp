@@ -141,7 +141,8 @@ class Feature {
   /// shadow map as it is stored. Called after `draw_before`, with the target bound.
   virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
-  /// Sets what is the same for all draws of a view with one program.
+  /// Sets what is the same for all draws of a view with one program: called once for draws that follow each other. May
+  /// make no textures: one that is made takes the place of one that is bound.
   virtual void bind_view(Binder&, const Scene&, const Viewpoint&) {}
   /// Sets what belongs to one material.
   virtual void bind_material(Binder&, const Scene&, const Material&) {}

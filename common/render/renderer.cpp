@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -254,25 +252,38 @@ void Renderer::draw_mesh(const Item& item) {
     gl_.DrawArrays(GL_TRIANGLES, 0, mesh.count);
 }
 
-void Renderer::draw(const Item& item, const Viewpoint& viewpoint) {
-  const Node& node = scene_->nodes[std::size_t(item.node)];
-  const Material& material = scene_->materials[std::size_t(node.material)];
-  const SurfaceKey key = key_for(viewpoint.view, node);
-  Program& chosen = program(programs_, key);
-  gl_.UseProgram(chosen.program.id());
+/// What the draws of one view leave for the next one.
+struct Renderer::Drawing {
+  const Viewpoint& viewpoint;
+  const Program* program = nullptr;  ///< in use
+  std::optional<Binder> bound;       ///< has set what is the same for all its draws; a material's textures come behind
+};
 
+void Renderer::use(Program& chosen, const SurfaceKey& key, Drawing& drawing) {
+  if (drawing.program == &chosen) return;
+  gl_.UseProgram(chosen.program.id());
   Binder binder(gl_, chosen.uniforms);
-  binder.set("u_model", item.model);
-  binder.set("u_normal_matrix", item.normal_matrix);
+  const Viewpoint& viewpoint = drawing.viewpoint;
   binder.set("u_view", viewpoint.world_to_view);
   binder.set("u_projection", viewpoint.projection);
   binder.set("u_eye_world", viewpoint.eye);
-  for (const auto& feature : features_) {
-    if (std::find(key.features.begin(), key.features.end(), feature.get()) == key.features.end()) continue;
-    feature->bind_view(binder, *scene_, viewpoint);
-    feature->bind_material(binder, *scene_, material);
-  }
-  if (material.two_sided || viewpoint.view.wireframe)
+  for (const auto& feature : features_)
+    if (key.has(*feature)) feature->bind_view(binder, *scene_, viewpoint);
+  drawing.program = &chosen;
+  drawing.bound.emplace(binder);
+}
+
+void Renderer::draw(const Item& item, Drawing& drawing) {
+  const Node& node = scene_->nodes[std::size_t(item.node)];
+  const Material& material = scene_->materials[std::size_t(node.material)];
+  const SurfaceKey key = key_for(drawing.viewpoint.view, node);
+  use(program(programs_, key), key, drawing);
+  Binder binder = *drawing.bound;
+  binder.set("u_model", item.model);
+  binder.set("u_normal_matrix", item.normal_matrix);
+  for (const auto& feature : features_)
+    if (key.has(*feature)) feature->bind_material(binder, *scene_, material);
+  if (material.two_sided || drawing.viewpoint.view.wireframe)
     gl_.Disable(GL_CULL_FACE);
   else
     gl_.Enable(GL_CULL_FACE);
@@ -294,12 +305,13 @@ void Renderer::paint(const PassSources& pass, std::span<const int> items, const 
 }
 
 void Renderer::draw_all(const Viewpoint& viewpoint) {
+  Drawing drawing{viewpoint};
   for (const Item& item : items_) {
     ++counts_.nodes;
     if (hidden(item, viewpoint))
       ++counts_.nodes_culled;
     else
-      draw(item, viewpoint);
+      draw(item, drawing);
   }
 }
 

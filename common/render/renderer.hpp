@@ -77,7 +77,9 @@ class Renderer : private NodePainter {
   void place(const Viewpoint& viewpoint);
   bool hidden(const Item& item, const Viewpoint& viewpoint) const;
   void begin(const Viewpoint& viewpoint, const Target& target);
-  void draw(const Item& item, const Viewpoint& viewpoint);
+  struct Drawing;
+  void use(Program& chosen, const SurfaceKey& key, Drawing& drawing);
+  void draw(const Item& item, Drawing& drawing);
   void draw_mesh(const Item& item);
   void draw_all(const Viewpoint& viewpoint);
   bool drawn_instead(const View& view, const Target& target);

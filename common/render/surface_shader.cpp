@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <tuple>
 
 namespace atelier {
@@ -98,6 +99,10 @@ std::string output_expression(const SurfaceKey& key, const std::string& shaded) 
 }
 
 }  // namespace
+
+bool SurfaceKey::has(const Feature& feature) const {
+  return std::find(features.begin(), features.end(), &feature) != features.end();
+}
 
 bool SurfaceKey::operator<(const SurfaceKey& other) const {
   return std::tie(features, structure, output) < std::tie(other.features, other.structure, other.output);

@@ -14,6 +14,7 @@ struct SurfaceKey {
   std::vector<const Feature*> features;  ///< wanted ones, in the renderer's order
   Defines structure;                     ///< of all of them, plus TEXCOORDS, PER_VERTEX ...
   std::string output;
+  bool has(const Feature& feature) const;
   bool operator<(const SurfaceKey& other) const;
 };
 

@@ -245,6 +245,11 @@ TEST_CASE("features are asked, prepared and bound as they are needed", "[rendere
   CHECK(studio.piece->prepared == 2);
   CHECK(studio.piece->views == 1);
   CHECK(studio.piece->materials == 1);
+  // What is the same for a view, once for the draws that follow each other with one program; a material for each draw.
+  for (const int material : {1, 0, 1}) scene.nodes.push_back({.mesh = 0, .material = material});
+  studio.draw(scene);
+  CHECK(studio.piece->views == 1 + 2);
+  CHECK(studio.piece->materials == 1 + 3);
   studio.renderer->configure(Settings());
   CHECK(studio.piece->configured == 1);
 }
