@@ -142,6 +142,10 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
           filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
       textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
     }
+  // Here and not when first drawn with: a texture that is made takes the place of one that is bound already.
+  if (power_ == Power::table)
+    for (const Material& material : scene.materials)
+      if (has_specular(material)) power_table_for(material.exponent);
 }
 
 Need LitSurface::need(const Scene& scene, const View& view, const Node& node) const {
@@ -158,6 +162,7 @@ Need LitSurface::need(const Scene& scene, const View& view, const Node& node) co
     if (material.specular_texture) d["SPECULAR_MAP"] = "1";
   }
   if (material.diffuse_texture) d["DIFFUSE_MAP"] = "1";
+  if (material.emission != glm::vec3(0)) d["EMISSION"] = "1";
   if (decode_after_filter_ && (material.diffuse_texture || material.specular_texture)) d["DECODE_AFTER_FILTER"] = "1";
   if (per_vertex_ && view.output == "colour") d["PER_VERTEX"] = "1";
   return need;

@@ -1,8 +1,13 @@
 // Gathers the material of a surface point and hands it to the student's `shade`. Given.
 #include "02-blinn-phong/blinn_phong.glsl"
 
-uniform vec3 u_diffuse, u_specular, u_emission;
+uniform vec3 u_diffuse, u_specular;
 uniform float u_exponent;
+#ifdef EMISSION
+uniform vec3 u_emission;
+#else
+const vec3 u_emission = vec3(0.0);
+#endif
 #ifdef DIFFUSE_MAP
 uniform sampler2D u_diffuse_map;
 #endif

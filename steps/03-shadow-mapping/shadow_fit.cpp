@@ -34,6 +34,25 @@ glm::dvec3 without_w(const glm::dvec4& p) {
   return glm::dvec3(p) / p.w;
 }
 
+/// Takes world to clip space and back, and cuts what lies outside the view.
+struct Cutter {
+  glm::dmat4 to_clip, to_world;
+
+  explicit Cutter(const Viewpoint& viewpoint)
+      : to_clip(glm::dmat4(viewpoint.projection) * glm::dmat4(viewpoint.world_to_view)),
+        to_world(glm::inverse(to_clip)) {}
+
+  /// The corners of what is left of a convex polygon.
+  std::vector<glm::dvec3> cut_to_view(std::span<const glm::dvec3> polygon) const {
+    std::vector<glm::dvec4> left;
+    for (const glm::dvec3& point : polygon) left.push_back(to_clip * glm::dvec4(point, 1));
+    for (int plane = 0; plane < 6; ++plane) left = cut(left, plane);
+    std::vector<glm::dvec3> points;
+    for (const glm::dvec4& p : left) points.push_back(without_w(to_world * p));
+    return points;
+  }
+};
+
 Box3 box_around(std::span<const glm::dvec3> points) {
   Box3 box;
   for (const glm::dvec3& point : points) box.add(point);
@@ -59,28 +78,49 @@ std::vector<glm::dvec3> corners_of(const NodePainter::Item& item) {
 }
 
 std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint) {
-  const glm::dmat4 world_to_clip = glm::dmat4(viewpoint.projection) * glm::dmat4(viewpoint.world_to_view);
-  const glm::dmat4 clip_to_world = glm::inverse(world_to_clip);
+  const Cutter cutter(viewpoint);
   const std::vector<glm::dvec3> corners = corners_of(item);
   // Six faces by their corners' numbers, in order around the face.
   static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                       {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
   std::vector<glm::dvec3> seen;
   for (const auto& face : faces) {
-    std::vector<glm::dvec4> polygon;
-    for (const int i : face) polygon.push_back(world_to_clip * glm::dvec4(corners[std::size_t(i)], 1));
-    for (int plane = 0; plane < 6; ++plane) polygon = cut(polygon, plane);
-    for (const glm::dvec4& p : polygon) seen.push_back(without_w(clip_to_world * p));
+    std::vector<glm::dvec3> polygon;
+    for (const int i : face) polygon.push_back(corners[std::size_t(i)]);
+    for (const glm::dvec3& point : cutter.cut_to_view(polygon)) seen.push_back(point);
   }
   // The view's own corners, where the box reaches around them.
   const glm::dmat4 world_to_object = glm::inverse(glm::dmat4(item.model));
   for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 p = without_w(clip_to_world * glm::dvec4(corner({glm::dvec3(-1), glm::dvec3(1)}, i), 1));
+    const glm::dvec3 p = without_w(cutter.to_world * glm::dvec4(corner({glm::dvec3(-1), glm::dvec3(1)}, i), 1));
     const glm::dvec3 inside = glm::dvec3(world_to_object * glm::dvec4(p, 1));
     if (glm::all(glm::greaterThanEqual(inside, item.box.low)) && glm::all(glm::lessThanEqual(inside, item.box.high)))
       seen.push_back(p);
   }
   return seen;
+}
+
+Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> items, const Viewpoint& viewpoint) {
+  constexpr std::size_t plain = 64 * 3;  // indices: with more triangles, cutting each would take longer than it saves
+  const Cutter cutter(viewpoint);
+  Pieces pieces;
+  for (const NodePainter::Item& item : items) {
+    const Node& node = scene.nodes[std::size_t(item.node)];
+    if (!node.receives_shadow || item.box.empty()) continue;
+    const Mesh& mesh = scene.meshes[std::size_t(*node.mesh)];
+    if (mesh.indices.size() > plain) {
+      pieces.push_back(visible_corners(item, viewpoint));
+      continue;
+    }
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+      std::array<glm::dvec3, 3> triangle;
+      for (std::size_t k = 0; k < 3; ++k)
+        triangle[k] = glm::dmat4(item.model) * glm::dvec4(mesh.vertices[mesh.indices[i + k]].position, 1);
+      pieces.push_back(cutter.cut_to_view(triangle));
+    }
+  }
+  std::erase_if(pieces, [](const std::vector<glm::dvec3>& piece) { return piece.empty(); });
+  return pieces;
 }
 
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points) {

@@ -17,6 +17,13 @@ std::vector<glm::dvec3> corners_of(const NodePainter::Item& item);
 /// where it is out of sight.
 std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint);
 
+/// Convex pieces, each by its corners in world space.
+using Pieces = std::vector<std::vector<glm::dvec3>>;
+
+/// All that the camera sees of what receives shadows lies in these, and little else: the triangles of plain meshes
+/// (walls, boxes: a room's box would hold the air in it) and the boxes of others, cut by the six planes of the view.
+Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> items, const Viewpoint& viewpoint);
+
 /// A sphere around the middle of the points' bounding box that holds them all; none around no points.
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points);
 

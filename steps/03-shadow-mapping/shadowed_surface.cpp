@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_access.hpp>
 
-#include "03-shadow-mapping/shadow_fit.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -75,7 +75,9 @@ std::vector<SettingSpec> shadow_settings() {
 }
 
 ShadowedSurface::ShadowedSurface(const LitSurface& lit)
-    : lit_(lit), showing_(GL_TEXTURE_2D_ARRAY, R"(uniform sampler2DArray u_map; uniform int u_layer; uniform vec2 u_size; out vec4 o;
+    : lit_(lit),
+      showing_(GL_TEXTURE_2D_ARRAY,
+               R"(uniform sampler2DArray u_map; uniform int u_layer; uniform vec2 u_size; out vec4 o;
 void main() { o = vec4(texture(u_map, vec3(gl_FragCoord.xy / u_size, u_layer)).rrr, 1.0); })") {}
 
 void ShadowedSurface::configure(const Settings& settings) {
@@ -253,8 +255,43 @@ void ShadowedSurface::make_room(Gl& gl) {
   for (Mapped& map : maps_) map.drawn = false;
 }
 
-void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter) {
+std::optional<Pieces> ShadowedSurface::looked_up_from(const Scene& scene, const Viewpoint& viewpoint,
+                                                      const NodePainter& painter) const {
+  if (keep_ || pcss_ || viewpoint.view.output == "shadow_map") return {};
+  return visible_receivers(scene, painter.items(), viewpoint);
+}
+
+float ShadowedSurface::texels_aside() const {
+  return 0.5f * float(pcf_) + 1 + std::abs(bias_size_) * float(pcf_ + 1);
+}
+
+namespace {
+
+/// The rectangle of texels that points fall into, and so many around it: x, y, width, height.
+glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int resolution, float aside) {
+  const glm::ivec4 all(0, 0, resolution, resolution);
+  glm::dvec2 low(resolution), high(0);
+  for (const auto& piece : pieces)
+    for (const glm::dvec3& point : piece) {
+      const glm::dvec4 mapped = glm::dmat4(world_to_map) * glm::dvec4(point, 1);
+      if (mapped.w <= 0) return all;  // behind the light's plane: what is before it may fall anywhere
+      const glm::dvec2 texel = glm::dvec2(mapped) / mapped.w * double(resolution);
+      low = glm::min(low, texel), high = glm::max(high, texel);
+    }
+  const glm::ivec2 from(glm::clamp(glm::floor(low - double(aside)), 0.0, double(resolution))),
+      to(glm::clamp(glm::ceil(high + double(aside)), 0.0, double(resolution)));
+  return {from, glm::max(to - from, glm::ivec2(0))};
+}
+
+}  // namespace
+
+void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter, const std::optional<Pieces>& looked_up) {
   Mapped& map = maps_[std::size_t(layer)];
+  if (looked_up) {
+    const glm::ivec4 part = texels_of(*looked_up, map.world_to_map(), resolution_, texels_aside());
+    gl.Enable(GL_SCISSOR_TEST);
+    gl.Scissor(part.x, part.y, part.z, part.w);
+  }
   begin_depth_pass(gl, names_, layer, bias_ == Bias::front_faces);
   static const PassSources pass{.name = "depth pass",
                                 .vertex =
@@ -266,17 +303,24 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter) {
     binder.set("u_light_view", map.view);
     binder.set("u_light_projection", map.projection);
   });
+  gl.Disable(GL_SCISSOR_TEST);
   check_gl_error(gl, "drawing a shadow map");
-  map.drawn = true;
+  map.drawn = !looked_up;
+}
+
+bool ShadowedSurface::shows_shadows(const View& view) const {
+  return view.output == "colour" || view.output == "shadow_map" || outputs().contains(view.output);
 }
 
 void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
+  if (!shows_shadows(viewpoint.view)) return;
   if (!found_ || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative) find_maps(scene, viewpoint, painter);
   if (maps_.empty()) return;
   make_room(gl);
   if (!has_room()) return;  // make_shadow_maps is not written yet
+  const auto looked_up = looked_up_from(scene, viewpoint, painter);
   for (int layer = 0; layer < int(maps_.size()); ++layer)
-    if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter);
+    if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter, looked_up);
 }
 
 bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
@@ -301,12 +345,19 @@ std::string glsl_list(std::span<const int> lights, const std::function<int(int)>
   return list;
 }
 
+bool ShadowedSurface::parallel_light_stays_parallel() const {
+  return std::all_of(maps_.begin(), maps_.end(), [](const Mapped& map) {
+    return !map.frustum.orthographic || glm::row(map.world_to_map(), 3) == glm::vec4(0, 0, 0, 1);
+  });
+}
+
 Defines ShadowedSurface::structure(bool receives) const {
   Defines d;
   d["SHADOW_LIGHTS"] = std::to_string(has_room() && receives ? maps_.size() : 0);
   d["SPOT_MAPS"] = glsl_list(lit_.spots(), [this](int light) { return map_of(light); });
   d["SUN_MAPS"] = glsl_list(lit_.suns(), [this](int light) { return map_of(light); });
   d["POINT_MAPS"] = glsl_list(lit_.points(), [this](int light) { return map_of(light); });
+  if (parallel_light_stays_parallel()) d["PARALLEL"] = "1";
   d["BIAS"] = std::to_string(bias_ == Bias::front_faces ? 0 : int(bias_));
   d["PCF"] = std::to_string(pcf_);
   if (bilinear_) d["COMPARE"] = "1";
@@ -316,7 +367,8 @@ Defines ShadowedSurface::structure(bool receives) const {
 }
 
 Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
-  const bool shown = view.output == "shadow_factor" || view.output == "shadow_coordinate";
+  if (!shows_shadows(view)) return {};
+  const bool shown = outputs().contains(view.output);
   if (!shown && (maps_.empty() || !has_room() || !node.receives_shadow)) return {};
   Need need{.wanted = true, .structure = structure(node.receives_shadow)};
   if (shown) need.structure["SHOWN_MAP"] = std::to_string(map_of(shown_light_));
@@ -338,7 +390,7 @@ void ShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpo
   for (std::size_t i = 0; i < maps_.size(); ++i) {
     const LightFrustum& frustum = maps_[i].frustum;
     const std::string name = fmt::format("u_shadow_lights[{}].", i);
-    binder.set(name + "world_to_map", bias_matrix() * maps_[i].projection * maps_[i].view);
+    binder.set(name + "world_to_map", maps_[i].world_to_map());
     binder.set(name + "eye", frustum.eye);
     binder.set(name + "direction", frustum.direction);
     binder.set(name + "half_width", frustum.orthographic ? frustum.extent : std::tan(frustum.extent));

@@ -2,6 +2,8 @@
 #include "02-blinn-phong/surface_lighting.glsl"
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
+// PARALLEL: in all matrices of suns the last row is 0 0 0 1, as it must be without a perspective.
+//
 // Which of u_shadow_lights a light is, -1: it has no map. Constants, because what the compiler knows it need not work out
 // for every pixel: which light's numbers to fetch, which layer to look up, whether there is a perspective.
 #if SPOT_LIGHTS > 0
@@ -20,6 +22,12 @@ float factor_of_map(int map, bool sun, vec3 position, vec3 normal, vec3 to_light
     ShadowLight light = u_shadow_lights[map];
     light.layer = map;
     light.sun = sun;
+#ifdef PARALLEL
+    if (sun) {
+      mat4 m = light.world_to_map;
+      light.world_to_map = mat4(vec4(m[0].xyz, 0.0), vec4(m[1].xyz, 0.0), vec4(m[2].xyz, 0.0), vec4(m[3].xyz, 1.0));
+    }
+#endif
     return shadow_factor(light, position, normal, to_light);
   }
 #endif

@@ -7,6 +7,7 @@
 
 #include "02-blinn-phong/lit_surface.hpp"
 #include "03-shadow-mapping/map_picture.hpp"
+#include "03-shadow-mapping/shadow_fit.hpp"
 #include "03-shadow-mapping/shadow_mapping.hpp"
 #include "render/feature.hpp"
 
@@ -43,6 +44,14 @@ class ShadowedSurface : public Feature {
   }
   /// What shaders that look shadows up must know: filter, bias, how many maps. For surfaces that receive shadows.
   Defines structure(bool receives) const;
+  /// Whether shadows are to be seen in an output: normals and depths need no map.
+  bool shows_shadows(const View& view) const;
+  /// What maps are looked up for in this view, where that bounds what must be drawn of them: where they are drawn for
+  /// every frame, by filters whose reach is known. None where all of a map may matter.
+  std::optional<Pieces> looked_up_from(const Scene& scene, const Viewpoint& viewpoint,
+                                       const NodePainter& painter) const;
+  /// How far from a point's own texel it may be looked up, texels: by the filter, and by a bias that moves it aside.
+  float texels_aside() const;
   bool has_map(int light) const { return map_of(light) >= 0; }  ///< a light of the scene, after draw_before
   const LitSurface& lit() const { return lit_; }
   GLenum format() const { return format_; }
@@ -59,6 +68,7 @@ class ShadowedSurface : public Feature {
     int light = 0;  ///< index into Scene::lights
     shadow_mapping::LightFrustum frustum;
     glm::mat4 view{1.0f}, projection{1.0f};
+    glm::mat4 world_to_map() const { return shadow_mapping::bias_matrix() * projection * view; }
     std::vector<int> casters;  ///< items of the painter that stand in it
     bool drawn = false;        ///< whether the layer holds what these casters look like from there
   };
@@ -72,8 +82,9 @@ class ShadowedSurface : public Feature {
   shadow_mapping::Sphere covered(const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
   void make_room(Gl& gl);
-  void draw_map(Gl& gl, int layer, NodePainter& painter);
+  void draw_map(Gl& gl, int layer, NodePainter& painter, const std::optional<Pieces>& looked_up);
   int map_of(int light) const;
+  bool parallel_light_stays_parallel() const;
   bool has_room() const { return texture_ && framebuffer_; }  ///< false where make_shadow_maps is not written yet
 
   const LitSurface& lit_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "03-shadow-mapping/shadow_fit.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -21,7 +20,8 @@ std::vector<SettingSpec> cube_settings() {
       {.name = "cube.faces",
        .fallback = std::string("needed"),
        .choices = {"needed", "all"},
-       .help = "which faces are drawn: those that see a caster, or all"},
+       .help = "which faces are drawn: those that see a caster and, where cubes are drawn for every frame, something "
+               "that is seen in the picture; or all"},
       {.name = "cube.instead",
        .fallback = std::string("cone"),
        .choices = {"cone", "never"},
@@ -53,6 +53,21 @@ double farthest_corner(const NodePainter::Item& item, const glm::dvec3& from) {
   return farthest;
 }
 
+/// Whether any of the pieces may lie in a face's view, which is a right angle wide and by a share `aside` more.
+bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside) {
+  const glm::dmat4 to_view(view);
+  const double widest = 1 + double(aside);
+  const auto outside = [&](const std::vector<glm::dvec3>& piece, int axis, double sign) {
+    return std::all_of(piece.begin(), piece.end(), [&](const glm::dvec3& point) {
+      const glm::dvec4 p = to_view * glm::dvec4(point, 1);
+      return sign * p[axis] > -p.z * widest;
+    });
+  };
+  return std::any_of(pieces.begin(), pieces.end(), [&](const std::vector<glm::dvec3>& piece) {
+    return !outside(piece, 0, 1) && !outside(piece, 0, -1) && !outside(piece, 1, 1) && !outside(piece, 1, -1);
+  });
+}
+
 }  // namespace
 
 std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
@@ -61,7 +76,8 @@ std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
   std::vector<Sphere> spheres;
   for (const NodePainter::Item& item : casters)
     if (const auto sphere = sphere_around(corners_of(item))) spheres.push_back(*sphere);
-  constexpr float widest = 1.1f;  // radians: beyond, a single map's corners waste more texels than a cube's six faces
+  // Radians, 63 degrees: up to 68, whose tangent is sqrt(6), a map has finer texels than a cube of as many.
+  constexpr float widest = 1.1f;
   const auto cone = cone_around(position, spheres, widest);
   if (!cone) return {};
   float near = 1e30f, far = 0;
@@ -77,9 +93,9 @@ std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
                                       .far = far};
 }
 
-std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const Scene& scene, int light,
-                                                                          const Viewpoint& viewpoint,
-                                                                          const NodePainter& painter) const {
+std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(
+    const Scene& scene, int light, const Viewpoint& viewpoint, const NodePainter& painter,
+    const std::optional<Pieces>& looked_up) const {
   const Light& source = scene.lights[std::size_t(light)];
   if (!source.casts_shadow || has_map(light)) return {};
   Cubed cube{.light = light, .position = glm::vec3(source.position - viewpoint.origin)};
@@ -94,20 +110,24 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
   cube.far = float(1.001 * far);  // floats must not put the farthest caster beyond
   cube.near = cube.far * 1e-5f;   // nothing is lost by a near plane this near: it is distances that are stored
   const glm::mat4 projection = face_projection(cube.near, cube.far);
-  for (int face = 0; face < 6; ++face)
+  for (int face = 0; face < 6; ++face) {
+    if (looked_up && !looks_into(*looked_up, face_view(cube.position, face), 2 * texels_aside() / float(edge_)))
+      continue;
     for (const int i : cube.casters) {
       const NodePainter::Item& item = painter.items()[std::size_t(i)];
       if (every_face_ || !outside_view(projection, face_view(cube.position, face), item.model, item.box))
         cube.seen[std::size_t(face)].push_back(i);
     }
+  }
   return cube;
 }
 
 void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
   cubes_.clear();
+  const auto looked_up = every_face_ ? std::nullopt : looked_up_from(scene, viewpoint, painter);
   for (const int light : lit().points())
     if (int(cubes_.size()) < most_cubes)
-      if (auto cube = cube_for(scene, light, viewpoint, painter)) cubes_.push_back(std::move(*cube));
+      if (auto cube = cube_for(scene, light, viewpoint, painter, looked_up)) cubes_.push_back(std::move(*cube));
   cubes_found_ = true;
 }
 
@@ -188,10 +208,11 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
     }
   }
   check_gl_error(gl, "drawing a cube of shadow maps");
-  cube.drawn = true;
+  cube.drawn = keeps_maps();  // else only what this frame's picture asks
 }
 
 void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
+  if (!shows_shadows(viewpoint.view)) return;
   ShadowedSurface::draw_before(gl, scene, viewpoint, painter);
   if (!cubes_found_ || !keeps_maps() || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
@@ -235,6 +256,7 @@ int PointShadowedSurface::cube_of(int light) const {
 }
 
 Need PointShadowedSurface::need(const Scene& scene, const View& view, const Node& node) const {
+  if (!shows_shadows(view)) return {};
   Need need = ShadowedSurface::need(scene, view, node);
   const bool cubes = node.receives_shadow && std::any_of(cubes_.begin(), cubes_.end(),
                                                          [&](const Cubed& cube) { return cube_of(cube.light) >= 0; });

@@ -49,8 +49,8 @@ class PointShadowedSurface : public ShadowedSurface {
     bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet
   };
 
-  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
-                                const NodePainter& painter) const;
+  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint, const NodePainter& painter,
+                                const std::optional<Pieces>& looked_up) const;
   void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
   bool make_room(Gl& gl, std::size_t cube);
   void draw_cube(Gl& gl, std::size_t cube, NodePainter& painter);

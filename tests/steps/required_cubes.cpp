@@ -74,6 +74,34 @@ TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {
   for (const std::size_t i : {2u, 3u}) CHECK(pixels_apart(all[i].picture, all[1].picture) == 0);
 }
 
+TEST_CASE("faces that nothing in the picture is looked up in are not drawn for every frame", "[required]") {
+  const SettingValue always = std::string("always"), all_cast = std::string("all");
+  std::vector<Case> pictures;
+  for (const char* scene : {"cube-room", "lantern", "touching", "crates"})
+    for (const char* filter : {"nearest", "bilinear"})
+      for (const int pcf : {1, 15}) {
+        Case one = lamp_lit(scene, {{"cube.passes", six},
+                                    {"scene.casters", all_cast},
+                                    {"cube.instead", never},
+                                    {"shadow.filter", std::string(filter)},
+                                    {"shadow.pcf", pcf}});
+        one.settings["cube.resolution"] = 16;  // coarse, so that a face that is missing is many pixels
+        pictures.push_back(one);
+        one.settings["shadow.update"] = always;
+        pictures.push_back(one);
+      }
+  const auto all = drawn(step, pictures);
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    INFO(pictures[i].scene << ", pair " << i / 2);
+    CHECK(pixels_apart(all[i].picture, all[i + 1].picture) == 0);
+    CHECK(all[i + 1].counts.at("passes") <= all[i].counts.at("passes"));
+  }
+  // The camera sees the far wall and boxes to its upper left: nothing below the lamp, and nothing to its right.
+  Case fine = pictures[1];
+  fine.settings["cube.resolution"] = 512;
+  CHECK(drawn(step, {fine})[0].counts.at("passes") <= all[0].counts.at("passes") - 2);
+}
+
 TEST_CASE("cubes of what stands still are drawn once", "[required]") {
   for (const char* scene : {"lantern", "room", "touching", "desk"}) {
     INFO(scene);

@@ -41,6 +41,9 @@ TEST_CASE("shadows that a scene does not have cost nothing", "[required]") {
       {"two lamps, and one that shines at the sky, where nothing casts: two maps",
        shadowed("edges"),
        {{"lights", 3}, {"passes", 3}, {"target_bytes", picture_bytes + 2 * map_bytes}}},
+      {"a picture of normals: no map",
+       shadowed("table", {}, "normal"),
+       {{"passes", 1}, {"texture_sources", 0}, {"target_bytes", picture_bytes}}},
       {"16 bits of depth are half as many bytes",
        shadowed("table", {{"shadow.format", std::string("16")}}),
        {{"target_bytes", picture_bytes + map_bytes / 2}}},
@@ -87,6 +90,36 @@ TEST_CASE("maps of what stands still are drawn once", "[required]") {
     const auto always = counts_at_rest(step, shadowed(scene, {{"shadow.update", std::string("always")}}));
     CHECK(always.at("passes") == first.at("passes"));
     CHECK(always.at("draws") == first.at("draws"));
+  }
+}
+
+TEST_CASE("a map that is drawn for every frame holds all that the picture asks of it", "[required]") {
+  std::vector<Case> pictures;
+  const auto both = [&](Case one) {
+    one.settings["shadow.resolution"] = 64;  // coarse, so that a texel that is missing is many pixels
+    pictures.push_back(one);
+    one.settings["light.turn"] = 180.0;  // what is not drawn in the next picture shows this one's shadows
+    pictures.push_back(one);
+    one.settings.erase("light.turn");
+    one.settings["shadow.update"] = std::string("always");
+    pictures.push_back(one);
+  };
+  for (const char* scene : {"table", "three-spots", "grazing", "cubes"}) {
+    both(shadowed(scene));
+    both(shadowed(scene, {{"shadow.pcf", 15}}));
+    both(shadowed(scene, {{"shadow.pcf", 3}, {"shadow.filter", std::string("bilinear")}, {"shadow.bias_size", 12.0}}));
+    both(shadowed(scene, {{"shadow.bias", std::string("plane")}}));
+    both(shadowed(scene, {{"shadow.soft", std::string("pcss")}, {"light.width", 0.5}}));
+    both(shadowed(scene, {{"shadow.fit", std::string("fixed")}, {"shadow.reach", 8.0}}));
+  }
+  Case inside = shadowed("colonnade");  // most of it behind the eye
+  inside.camera.eye = glm::dvec3(0.3, 1.7, -14);
+  inside.camera.target = glm::dvec3(0, 1.5, -20);
+  both(inside);
+  const auto all = drawn(step, pictures);
+  for (std::size_t i = 0; i < all.size(); i += 3) {
+    INFO(pictures[i].scene << ", no. " << i / 3);
+    CHECK(pixels_apart(all[i].picture, all[i + 2].picture) == 0);
   }
 }
 
