@@ -77,24 +77,27 @@ class Comparison {
 
 }  // namespace
 
-BaselinePlan read_baseline_plan(const std::filesystem::path& file) {
-  const std::string where = file.string();
-  const Json json = strict_json::parse(read_file(file, plan_limit), where);
+BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where) {
+  const Json json = strict_json::parse(text, where);
   strict_json::refuse_unknown(json, {"baseline", "scene", "size", "shadow", "samples", "rows"}, where);
-  const auto member = [&](const char* name) { return strict_json::required(json, name, where); };
+  const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   BaselinePlan plan;
   plan.program = strict_json::name(member("baseline"), where + ": baseline");
-  plan.scene = strict_json::name(member("scene"), where + ": scene");
-  const std::vector<double> size = strict_json::vector(member("size"), where + ": size", 2);
-  for (int i = 0; i < 2; ++i)
-    plan.size[i] = strict_json::whole(Json(int(size[std::size_t(i)])), where + ": size", 1, 4096);
   plan.shadow = strict_json::name(member("shadow"), where + ": shadow", "-_");
   plan.samples = strict_json::whole(member("samples"), where + ": samples", 1, 64);
-  const Json rows = member("rows");
+  // The picture is read as a case's is.
+  const Case picture = parse_case({{"name", "picture"}, {"scene", member("scene")}, {"size", member("size")}}, where);
+  plan.scene = picture.scene;
+  plan.size = picture.size;
+  const Json& rows = member("rows");
   if (!rows.is_array() || rows.empty()) strict_json::refuse(rows, where + ": rows", "a list of at least one row");
   for (std::size_t i = 0; i < rows.size(); ++i)
     plan.rows.push_back(row_of(rows[i], fmt::format("{}: row {}", where, i + 1)));
   return plan;
+}
+
+BaselinePlan read_baseline_plan(const std::filesystem::path& file) {
+  return parse_baseline_plan(read_file(file, plan_limit), file.string());
 }
 
 std::vector<Compared> compare_with_baseline(const BaselinePlan& plan, const Program& step, const Program& baseline,

@@ -1,19 +1,11 @@
 // A step's program beside a baseline, another program that draws the same scene: how much faster, and how far each is
-// from the truth. tests/cases/NN-name/baseline.json says what is compared:
-//
-//   {
-//     "baseline": "shadow-demo",            the program: BUILD/bin/shadow-demo, from tests/baselines
-//     "scene": "cubes", "size": [800, 600], the picture; all programs take the scene's own camera
-//     "shadow": "shadow_factor",            the output whose wrong pixels are counted
-//     "samples": 4,                         n x n rays a pixel of the true colours, 1..64
-//     "rows": [{"name": "tight fit", "settings": {...}, "aim": 1.5, "no_larger_error": true}, ...]
-//   }
-//
-// A row's `aim`, absent where there is none, is how many times as fast as the baseline it is meant to be.
+// from the truth. tests/cases/NN-name/baseline.json says what is compared; every member stands in
+// tests/cases/README.md.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "measure/program.hpp"
@@ -35,8 +27,10 @@ struct BaselinePlan {
   std::vector<BaselineRow> rows;
 };
 
-/// Throws Error naming the file, the member and what is allowed.
-BaselinePlan read_baseline_plan(const std::filesystem::path& file);
+/// Reads the text of a baseline.json; `where` starts every error sentence. Throws Error naming the member and what is
+/// allowed.
+BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where);
+BaselinePlan read_baseline_plan(const std::filesystem::path& file);  ///< the same, of a file
 
 /// What came out of one program. Errors are against the truth of the scene, traced.
 struct Compared {

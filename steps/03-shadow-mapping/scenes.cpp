@@ -254,6 +254,18 @@ SettingSpec scale_setting() {
           .help = "how large the scene is built; the picture should not change"};
 }
 
+SettingSpec casters_setting() {
+  return {.name = "scene.casters",
+          .fallback = std::string("flagged"),
+          .choices = {"flagged", "all"},
+          .help = "what casts shadows: the nodes that the scene says, or every node, as where no program knows better"};
+}
+
+void choose_casters(Scene& scene, const Settings& settings) {
+  if (settings.choice("scene.casters") == "all")
+    for (Node& node : scene.nodes) node.casts_shadow = true;
+}
+
 std::vector<std::string> shadow_scene_names() {
   return {"teapot", "grazing", "table", "three-spots", "penumbra", "colonnade", "edges", "cubes"};
 }
@@ -266,10 +278,7 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .high = 360,
        .help = "degrees by which all lights are turned about the vertical axis"},
       scale_setting(),
-      {.name = "scene.casters",
-       .fallback = std::string("flagged"),
-       .choices = {"flagged", "all"},
-       .help = "what casts shadows: the nodes that the scene says, or every node, as where no program knows better"},
+      casters_setting(),
       {.name = "grazing.angle",
        .fallback = 75.0,
        .low = 0,
@@ -302,8 +311,7 @@ std::vector<SettingSpec> shadow_scene_settings() {
 
 Scene make_shadow_scene(const std::string& name, const Settings& settings) {
   Scene scene = scene_named(name, settings);
-  if (settings.choice("scene.casters") == "all")
-    for (Node& node : scene.nodes) node.casts_shadow = true;
+  choose_casters(scene, settings);
   if (const double turn = settings.real("light.turn"); turn != 0) turn_lights(scene, double(degrees(turn)));
   if (const double scale = settings.real("scene.scale"); scale != 1) enlarge(scene, scale);
   return scene;

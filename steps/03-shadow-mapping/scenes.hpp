@@ -19,4 +19,8 @@ void enlarge(Scene& scene, double factor);
 /// scene.scale, the factor that a user chooses.
 SettingSpec scale_setting();
 
+/// scene.casters: whether nodes cast shadows as the scene says, or all of them do; and what it does.
+SettingSpec casters_setting();
+void choose_casters(Scene& scene, const Settings& settings);
+
 }  // namespace atelier

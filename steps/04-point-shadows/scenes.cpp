@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "03-shadow-mapping/scenes.hpp"
+#include "04-point-shadows/cube_room.hpp"
 #include "04-point-shadows/studies.hpp"
 #include "04-point-shadows/walls.hpp"
 #include "base/error.hpp"
@@ -131,13 +132,15 @@ Scene scene_named(const std::string& name, const Settings& settings) {
   if (name == "dots") return dots(settings);
   if (name == "bare-walls") return bare_walls();
   if (name == "boards") return boards();
-  throw Error("scene '" + name + "': this program has room, lantern, crates, desk, touching, dots, bare-walls, boards");
+  if (name == "cube-room") return make_cube_room_scene();
+  throw Error("scene '" + name +
+              "': this program has room, lantern, crates, desk, touching, dots, bare-walls, boards, cube-room");
 }
 
 }  // namespace
 
 std::vector<std::string> point_scene_names() {
-  return {"room", "lantern", "crates", "desk", "touching", "dots", "bare-walls", "boards"};
+  return {"room", "lantern", "crates", "desk", "touching", "dots", "bare-walls", "boards", "cube-room"};
 }
 
 std::vector<SettingSpec> point_scene_settings() {
@@ -148,11 +151,13 @@ std::vector<SettingSpec> point_scene_settings() {
        .high = 360,
        .help = "of the scene 'lantern': degrees by which the camera stands turned about the vertical axis"},
       scale_setting(),
+      casters_setting(),
   };
 }
 
 Scene make_point_scene(const std::string& name, const Settings& settings) {
   Scene scene = scene_named(name, settings);
+  choose_casters(scene, settings);
   if (const double scale = settings.real("scene.scale"); scale != 1) enlarge(scene, scale);
   return scene;
 }

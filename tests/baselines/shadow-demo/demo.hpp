@@ -26,4 +26,8 @@ class Demo {
 /// Scene "cubes": one map of parallel light.
 std::unique_ptr<Demo> make_sun_demo(Gl& gl);
 
+/// Scene "cube-room": a cube of maps round a lamp. The room's walls turn their front to the lamp here, where the
+/// chapter draws the back of a box and turns its normals.
+std::unique_ptr<Demo> make_point_demo(Gl& gl);
+
 }  // namespace atelier::shadow_demo

@@ -11,8 +11,14 @@ class ShadowDemo : public StepProgram {
   void open(Gl& gl, const Implementations&) override { gl_ = &gl; }
 
   void load(const std::string& scene, const Settings&) override {
-    if (scene != "cubes") throw Error("scene '" + scene + "': shadow-demo has cubes");
-    if (!demo_) demo_ = make_sun_demo(*gl_);
+    if (scene == loaded_) return;
+    if (scene == "cubes")
+      demo_ = make_sun_demo(*gl_);
+    else if (scene == "cube-room")
+      demo_ = make_point_demo(*gl_);
+    else
+      throw Error("scene '" + scene + "': shadow-demo has cubes and cube-room");
+    loaded_ = scene;
   }
 
   Camera camera() const override { return demo_->scene().camera; }
@@ -22,11 +28,12 @@ class ShadowDemo : public StepProgram {
   StepDescription description_{
       .name = "shadow-demo",
       .title = "LearnOpenGL's demos of shadows, rebuilt",
-      .scenes = {"cubes"},
+      .scenes = {"cubes", "cube-room"},
       .outputs = {{"colour", Encoding::linear, "what is seen"},
                   {"shadow_factor", Encoding::data, "the share of the light that arrives: 1 lit, 0 in shadow"}}};
   Gl* gl_ = nullptr;
   std::unique_ptr<Demo> demo_;
+  std::string loaded_;  ///< the scene of `demo_`
 };
 
 }  // namespace

@@ -1,0 +1,88 @@
+// The programs that steps are compared with draw what the steps draw, or a comparison of their times says nothing; and
+// the comparison comes out whole. No time is asserted on.
+#include <set>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "cli/search_path.hpp"
+#include "command.hpp"
+#include "image/error.hpp"
+#include "measure/baseline.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+
+namespace {
+
+struct Rivals {
+  CourseStep step;
+  measure::BaselinePlan plan;
+  measure::Program ours, theirs;
+};
+
+std::vector<Rivals> rivals() {
+  std::vector<Rivals> all;
+  for (const CourseStep& step : course()) {
+    if (!std::filesystem::exists(folders().baseline_file(step.name))) continue;
+    Rivals found{.step = step, .plan = measure::read_baseline_plan(folders().baseline_file(step.name))};
+    found.ours.file = folders().program(step.name);
+    found.ours.implementations = search_path(folders(), step.name, code_of(folders(), Owner::solution), {});
+    found.theirs = found.ours;
+    found.theirs.file = folders().program(found.plan.program);
+    all.push_back(std::move(found));
+  }
+  return all;
+}
+
+Image drawn(const measure::Program& program, const Rivals& r, const std::string& output, bool ours) {
+  Case picture{.name = "picture", .scene = r.plan.scene, .size = {200, 150}, .output = output};
+  if (ours) picture.settings = r.plan.rows.front().settings;
+  return measure::draw(program, {picture}).front().picture;
+}
+
+}  // namespace
+
+TEST_CASE("with the same settings a baseline and the step's program draw the same picture", "[baseline]") {
+  REQUIRE(rivals().size() == 2);
+  for (const Rivals& r : rivals()) {
+    INFO(r.step.name);
+    const Image colour = drawn(r.theirs, r, "colour", false), shadow = drawn(r.theirs, r, r.plan.shadow, false);
+    // Mipmaps, rounding and the formulas of the biases differ, along the shadows' edges most: under one level of 255
+    // on the whole. A wrong light, material or camera differs by ten times that.
+    CHECK(error_of(drawn(r.ours, r, "colour", true), colour, ErrorMetric::rmse) < 0.004);
+    // Faces that turn away from the light are in each program's shadow as its bias has it, and dark in both: the demo
+    // of the sun shows one from below, 1.5 % of the picture.
+    CHECK(error_of(drawn(r.ours, r, r.plan.shadow, true), shadow, ErrorMetric::wrong, Encoding::data) < 0.02);
+    // And there is a shadow that could have been wrong.
+    CHECK(error_of(Image(200, 150, Rgba{1, 1, 1, 1}), shadow, ErrorMetric::wrong, Encoding::data) > 0.02);
+  }
+}
+
+TEST_CASE("the comparison with a baseline comes out whole", "[baseline]") {
+  for (const Rivals& r : rivals()) {
+    INFO(r.step.name);
+    const Printed run = printed({"bench", r.step.name, "--baseline", "--repeats", "1", "--json"});
+    REQUIRE(run.exit_status == 0);
+    const auto& rows = run.json["baseline"];
+    REQUIRE(rows.size() == 1 + r.plan.rows.size());
+    CHECK(rows[0]["name"] == r.plan.program);
+    CHECK(rows[0]["ratio"] == 1);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      CHECK(rows[i]["seconds"].get<double>() > 0);
+      CHECK(rows[i]["rmse"].get<double>() > 0);  // a picture of OpenGL's is never the truth to the last bit
+      CHECK(rows[i]["wrong"].get<double>() < 0.05);
+      if (i == 0) continue;
+      CHECK(rows[i]["name"] == r.plan.rows[i - 1].name);
+      CHECK(rows[i]["ratio"].get<double>() > 0);
+      CHECK(rows[i].contains("reached") == (r.plan.rows[i - 1].aim > 0));
+    }
+    CHECK(run.json["figures"].empty());
+  }
+}
+
+TEST_CASE("a step without a baseline has nothing to compare", "[baseline]") {
+  const Finished run = run_atelier({"bench", "01", "--baseline"});
+  INFO(run.output);
+  CHECK(run.exit_status == 2);
+  CHECK(mentions(run.output, {"--baseline", "01-transforms"}));
+}
