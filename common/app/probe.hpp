@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iterator>
 #include <map>
 #include <string>
 
@@ -39,6 +40,15 @@ struct ProbeContext {
 
 /// A student's function on plain numbers. May throw: the sentence is reported.
 using Probe = std::function<Numbers(ProbeContext& context, const Arguments& arguments)>;
+
+/// Appends numbers of any type.
+template <class Values>
+void append(Numbers& numbers, const Values& more) {
+  numbers.insert(numbers.end(), std::begin(more), std::end(more));
+}
+
+/// The numbers of a matrix, column by column.
+Numbers numbers_of(const glm::mat4& matrix);
 
 /// A probe of a GLSL function: the first `components` of the vec4 expression.
 Probe shader_probe(std::string preamble, std::string expression, int components);

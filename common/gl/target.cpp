@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "gl/query.hpp"
 #include "gl/texel.hpp"
 
 namespace atelier {
@@ -45,11 +46,11 @@ const FormatFacts& facts(DepthFormat format) {
 /// Remembers which texture and framebuffers are bound, and binds them again at the end of the scope.
 class KeptBindings {
  public:
-  explicit KeptBindings(Gl& gl) : gl_(gl) {
-    gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &texture_);
-    gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
-    gl.GetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
-  }
+  explicit KeptBindings(Gl& gl)
+      : gl_(gl),
+        texture_(integer_of(gl, GL_TEXTURE_BINDING_2D)),
+        draw_(integer_of(gl, GL_DRAW_FRAMEBUFFER_BINDING)),
+        read_(integer_of(gl, GL_READ_FRAMEBUFFER_BINDING)) {}
   ~KeptBindings() {
     gl_.BindTexture(GL_TEXTURE_2D, GLuint(texture_));
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
@@ -60,14 +61,12 @@ class KeptBindings {
 
  private:
   Gl& gl_;
-  GLint texture_ = 0, draw_ = 0, read_ = 0;
+  GLint texture_, draw_, read_;
 };
 
 /// Throws where the driver cannot have such a target at all: asked first, since what drivers do beyond differs.
 void check(Gl& gl, const TargetSpec& spec) {
-  GLint largest = 0;
-  gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
-  largest = std::min(largest, GLint(Image::max_side));
+  const GLint largest = std::min(integer_of(gl, GL_MAX_TEXTURE_SIZE), GLint(Image::max_side));
   if (spec.width < 1 || spec.height < 1 || spec.width > largest || spec.height > largest)
     throw Error(fmt::format("target {}: each side must be 1..{} pixels on this driver", to_string(spec), largest));
   if (spec.colour == ColourFormat::none && spec.depth == DepthFormat::none)

@@ -1,6 +1,7 @@
 #include "01-transforms/probes.hpp"
 
 #include "01-transforms/transforms.hpp"
+#include "gl/query.hpp"
 
 namespace atelier {
 
@@ -10,14 +11,9 @@ namespace {
 
 // ---- Numbers for a judge, and back
 
-Numbers numbers(const glm::mat4& m) {
-  Numbers out;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
-  return out;
-}
+using atelier::numbers_of;
 
-Numbers numbers(const glm::vec3& v) {
+Numbers numbers_of(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
@@ -28,7 +24,7 @@ float number(const Arguments& in, const std::string& name) {
   return float(in.number(name));
 }
 
-Numbers numbers(const Mesh& mesh) {
+Numbers numbers_of(const Mesh& mesh) {
   Numbers out{double(mesh.vertices.size()), double(mesh.indices.size())};
   for (const Vertex& v : mesh.vertices)
     for (const float x :
@@ -65,8 +61,7 @@ std::vector<Joint> joints(const Arguments& in) {
 
 Numbers probe_world_matrices(ProbeContext&, const Arguments& in) {
   Numbers out;
-  for (const glm::mat4& m : world_matrices(joints(in)))
-    for (const double x : numbers(m)) out.push_back(x);
+  for (const glm::mat4& m : world_matrices(joints(in))) append(out, numbers_of(m));
   return out;
 }
 
@@ -79,7 +74,7 @@ Numbers probe_deep_chain(ProbeContext&, const Arguments& in) {
     chain[std::size_t(i)].parent = i + 1 < depth ? i + 1 : -1;
     chain[std::size_t(i)].local[3] = glm::vec4(vec3(in, "step"), 1);
   }
-  return numbers(glm::vec3(world_matrices(chain)[0][3]));
+  return numbers_of(glm::vec3(world_matrices(chain)[0][3]));
 }
 
 /// Where the model takes the normal, normalised: any positive multiple of the matrix is right.
@@ -93,9 +88,7 @@ Numbers probe_normal_matrix(ProbeContext&, const Arguments& in) {
 /// bytes.
 Numbers describe(Gl& gl, const MeshBuffers& made, bool indexed) {
   Numbers out{double(made.count), double(made.vertex_array != 0)};
-  GLint bound = 0;
-  gl.GetIntegerv(GL_VERTEX_ARRAY_BINDING, &bound);
-  out.push_back(bound == 0);
+  out.push_back(integer_of(gl, GL_VERTEX_ARRAY_BINDING) == 0);
   gl.BindVertexArray(made.vertex_array);
   for (const GLuint attribute : {attribute_position, attribute_normal, attribute_texcoord}) {
     GLint enabled = 0, size = 0, stride = 0, buffer = 0;
@@ -114,8 +107,7 @@ Numbers describe(Gl& gl, const MeshBuffers& made, bool indexed) {
     else
       out.insert(out.end(), 5, 0.0);
   }
-  GLint index_buffer = 0;
-  gl.GetIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &index_buffer);
+  const GLint index_buffer = integer_of(gl, GL_ELEMENT_ARRAY_BUFFER_BINDING);
   out.push_back(indexed ? made.index_buffer != 0 && GLuint(index_buffer) == made.index_buffer : made.index_buffer == 0);
   gl.BindVertexArray(0);
   const auto bytes = [&](GLenum target, GLuint buffer) {
@@ -158,13 +150,13 @@ std::map<std::string, Probe> transform_probes() {
       {"clip_position", shader_probe(glsl, "clip_position(projection, view, model, position)", 4)},
       {"world_position", shader_probe(glsl, "vec4(world_position(model, position), 1.0)", 3)},
       {"world_normal", shader_probe(glsl, "vec4(world_normal(matrix, normal), 0.0)", 3)},
-      {"translation", [](ProbeContext&, const Arguments& in) { return numbers(translation(vec3(in, "offset"))); }},
+      {"translation", [](ProbeContext&, const Arguments& in) { return numbers_of(translation(vec3(in, "offset"))); }},
       {"rotation",
-       [](ProbeContext&, const Arguments& in) { return numbers(rotation(vec3(in, "axis"), number(in, "angle"))); }},
-      {"scaling", [](ProbeContext&, const Arguments& in) { return numbers(scaling(vec3(in, "factors"))); }},
+       [](ProbeContext&, const Arguments& in) { return numbers_of(rotation(vec3(in, "axis"), number(in, "angle"))); }},
+      {"scaling", [](ProbeContext&, const Arguments& in) { return numbers_of(scaling(vec3(in, "factors"))); }},
       {"compose",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(compose(vec3(in, "offset"), vec3(in, "axis"), number(in, "angle"), vec3(in, "factors")));
+         return numbers_of(compose(vec3(in, "offset"), vec3(in, "axis"), number(in, "angle"), vec3(in, "factors")));
        }},
       {"world_matrices", probe_world_matrices},
       {"world_matrices_refuses",
@@ -172,11 +164,12 @@ std::map<std::string, Probe> transform_probes() {
       {"deep_chain", probe_deep_chain},
       {"look_at",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(look_at(vec3(in, "eye"), vec3(in, "target"), vec3(in, "up")));
+         return numbers_of(look_at(vec3(in, "eye"), vec3(in, "target"), vec3(in, "up")));
        }},
       {"perspective",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(perspective(number(in, "fov_y"), number(in, "aspect"), number(in, "near"), number(in, "far")));
+         return numbers_of(
+             perspective(number(in, "fov_y"), number(in, "aspect"), number(in, "near"), number(in, "far")));
        }},
       {"perspective_refuses",
        [](ProbeContext&, const Arguments& in) {
@@ -185,20 +178,20 @@ std::map<std::string, Probe> transform_probes() {
        }},
       {"perspective_reversed",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(
+         return numbers_of(
              perspective_reversed(number(in, "fov_y"), number(in, "aspect"), number(in, "near"), number(in, "far")));
        }},
       {"orthographic",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(orthographic(number(in, "left"), number(in, "right"), number(in, "bottom"), number(in, "top"),
-                                     number(in, "near"), number(in, "far")));
+         return numbers_of(orthographic(number(in, "left"), number(in, "right"), number(in, "bottom"),
+                                        number(in, "top"), number(in, "near"), number(in, "far")));
        }},
       {"normal_matrix", probe_normal_matrix},
       {"upload_triangle", probe_upload_triangle},
       {"upload_mesh", probe_upload_mesh},
       {"cylinder_wall",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(cylinder_wall(number(in, "radius"), number(in, "height"), in.integer("segments")));
+         return numbers_of(cylinder_wall(number(in, "radius"), number(in, "height"), in.integer("segments")));
        }},
       {"cylinder_wall_refuses",
        [](ProbeContext&, const Arguments& in) {
@@ -206,16 +199,16 @@ std::map<std::string, Probe> transform_probes() {
        }},
       {"rectangle",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(rectangle(vec3(in, "centre"), vec3(in, "half_u"), vec3(in, "half_v")));
+         return numbers_of(rectangle(vec3(in, "centre"), vec3(in, "half_u"), vec3(in, "half_v")));
        }},
       {"set_wireframe", probe_set_wireframe},
       {"window_position",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(window_position(glm::vec4(in.vec4("clip")), glm::vec4(in.vec4("viewport"))));
+         return numbers_of(window_position(glm::vec4(in.vec4("clip")), glm::vec4(in.vec4("viewport"))));
        }},
       {"relative_to_eye",
        [](ProbeContext&, const Arguments& in) {
-         return numbers(relative_to_eye(in.vec3("position"), in.vec3("eye")));
+         return numbers_of(relative_to_eye(in.vec3("position"), in.vec3("eye")));
        }},
   };
 }

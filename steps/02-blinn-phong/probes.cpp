@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "gl/query.hpp"
 
 namespace atelier {
 
@@ -60,17 +61,10 @@ Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   const GlTexture texture(gl, blinn_phong::upload_texture(gl, levels, wrap_of(in.integer("wrap")), filter));
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   Numbers out;
-  for (const GLenum name :
-       {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_MAX_LEVEL}) {
-    GLint value = 0;
-    gl.GetTexParameteriv(GL_TEXTURE_2D, name, &value);
-    out.push_back(value);
-  }
-  for (const GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}) {
-    GLint value = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, name, &value);
-    out.push_back(value);
-  }
+  append(out, texture_parameters(gl, GL_TEXTURE_2D,
+                                 {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+                                  GL_TEXTURE_MAX_LEVEL}));
+  append(out, level_parameters(gl, GL_TEXTURE_2D, {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}));
   std::vector<Rgba> texels(std::size_t(std::max(8.0, out[5] * out[6])));
   gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);

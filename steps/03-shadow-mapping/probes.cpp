@@ -4,7 +4,9 @@
 
 #include <array>
 
+#include "03-shadow-mapping/depth_probe.hpp"
 #include "03-shadow-mapping/shadow_mapping.hpp"
+#include "gl/query.hpp"
 
 namespace atelier {
 
@@ -25,12 +27,6 @@ const std::string light_of_arguments =
     "ShadowLight(world_to_map, eye, direction, half_width, near, far, width, sun > 0.5, int(layer))";
 const std::string plain_light =
     "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, sun > 0.5, 0)";
-
-/// Leaves it to the probe's arguments to declare u_bias and u_depth_step: shadows.glsl declares others in their place.
-const std::string bias_as_argument =
-    "#define u_bias u_other_bias\n#define u_depth_step u_other_depth_step\n"
-    "#include \"03-shadow-mapping/shadows.glsl\"\n"
-    "#undef u_bias\n#undef u_depth_step\n";
 
 /// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over. Bound
 /// to texture unit 0 as long as it lives.
@@ -89,45 +85,25 @@ LightFrustum frustum_of(const Arguments& in) {
           .far = float(in.number("far"))};
 }
 
-Numbers numbers_of(const glm::mat4& m) {
-  Numbers out;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
-  return out;
-}
-
-GLint integer_of(Gl& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
 /// Filters, wraps, compare mode and function, the border's red, width, height, layers and format of the texture; then
 /// whether the framebuffer is complete, and its draw buffer.
 Numbers probe_make_shadow_maps(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
-  const std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
-  const ShadowMaps maps = make_shadow_maps(gl, in.integer("resolution"), in.integer("layers"),
-                                           formats.at(std::size_t(in.integer("format"))), in.number("compare") > 0.5);
+  const ShadowMaps maps = make_shadow_maps(gl, in.integer("resolution"), in.integer("layers"), depth_format_of(in),
+                                           in.number("compare") > 0.5);
   const GlTexture texture(gl, maps.texture);
   const GlFramebuffer framebuffer(gl, maps.framebuffer);
   if (!texture || !framebuffer) return Numbers(14, 0);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, maps.texture);
   Numbers out;
-  for (const GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
-                            GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}) {
-    GLint value = 0;
-    gl.GetTexParameteriv(GL_TEXTURE_2D_ARRAY, name, &value);
-    out.push_back(value);
-  }
+  append(out, texture_parameters(gl, GL_TEXTURE_2D_ARRAY,
+                                 {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+                                  GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}));
   std::array<GLint, 4> border{};
   gl.GetTexParameteriv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, border.data());
   out.push_back(border[0] > 0);
-  for (const GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_INTERNAL_FORMAT}) {
-    GLint value = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_2D_ARRAY, 0, name, &value);
-    out.push_back(value);
-  }
+  append(out, level_parameters(gl, GL_TEXTURE_2D_ARRAY,
+                               {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_INTERNAL_FORMAT}));
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, maps.framebuffer);
   out.push_back(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
@@ -154,37 +130,17 @@ Numbers probe_begin_depth_pass(ProbeContext& context, const Arguments& in) {
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.Viewport(1, 1, 2, 2);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_GREATER);
-  gl.DepthMask(GL_FALSE);
-  gl.Disable(GL_DEPTH_CLAMP);
-  gl.Enable(GL_CULL_FACE);
-  gl.CullFace(GL_BACK);
-  gl.ClearDepth(0.25);
+  set_against_depth_pass(gl);
 
   begin_depth_pass(gl, {texture.id(), framebuffer.id(), side, 2}, in.integer("layer"), in.number("cull_front") > 0.5);
 
-  std::array<GLint, 4> viewport{};
-  gl.GetIntegerv(GL_VIEWPORT, viewport.data());
-  Numbers out(viewport.begin(), viewport.end());
-  out.push_back(gl.IsEnabled(GL_DEPTH_TEST));
-  out.push_back(integer_of(gl, GL_DEPTH_FUNC));
-  out.push_back(integer_of(gl, GL_DEPTH_WRITEMASK));
-  out.push_back(gl.IsEnabled(GL_DEPTH_CLAMP));
-  out.push_back(gl.IsEnabled(GL_CULL_FACE));
-  out.push_back(gl.IsEnabled(GL_CULL_FACE) ? integer_of(gl, GL_CULL_FACE_MODE) : 0);
+  Numbers out = depth_pass_state(gl);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
   gl.GetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
   out.push_back(depths.front());
   out.push_back(depths.back());
-
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);  // what the next probe expects
-  gl.DepthMask(GL_TRUE);
-  gl.DepthFunc(GL_LESS);
-  gl.CullFace(GL_BACK);
-  gl.Disable(GL_DEPTH_CLAMP);
+  end_depth_pass(gl);
   return out;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 
+#include "03-shadow-mapping/depth_probe.hpp"
 #include "04-point-shadows/point_shadows.hpp"
+#include "gl/query.hpp"
 #include "gl/shader.hpp"
 
 namespace atelier {
@@ -13,12 +15,6 @@ namespace atelier {
 namespace {
 
 using namespace point_shadows;
-
-/// Leaves it to the probe's arguments to declare u_bias and u_depth_step: shadows.glsl declares others in their place.
-const std::string bias_as_argument =
-    "#define u_bias u_other_bias\n#define u_depth_step u_other_depth_step\n"
-    "#include \"03-shadow-mapping/shadows.glsl\"\n"
-    "#undef u_bias\n#undef u_depth_step\n";
 
 /// The student's GLSL with one cube; `before` stands between its defines and itself.
 std::string glsl(int bias, int pcf, bool compare, const std::string& before = "") {
@@ -77,43 +73,22 @@ Probe cube_probe(const std::string& preamble, bool compare, const std::string& e
   };
 }
 
-Numbers numbers_of(const glm::mat4& m) {
-  Numbers out;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) out.push_back(m[column][row]);
-  return out;
-}
-
-GLint integer_of(Gl& gl, GLenum name) {
-  GLint value = 0;
-  gl.GetIntegerv(name, &value);
-  return value;
-}
-
 /// Filters, wraps, compare mode and function of the cube, edge and format of face -z; whether the framebuffer is
 /// complete, layered, without colour, and whether filters reach across edges.
 Numbers probe_make_cube_map(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
-  const std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
   gl.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  const CubeMap cube = make_cube_map(gl, in.integer("resolution"), formats.at(std::size_t(in.integer("format"))),
-                                     in.number("compare") > 0.5);
+  const CubeMap cube = make_cube_map(gl, in.integer("resolution"), depth_format_of(in), in.number("compare") > 0.5);
   const GlTexture texture(gl, cube.texture);
   const GlFramebuffer framebuffer(gl, cube.framebuffer);
   if (!texture || !framebuffer) return Numbers(14, 0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture);
   Numbers out;
-  for (const GLenum name : {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
-                            GL_TEXTURE_WRAP_R, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}) {
-    GLint value = 0;
-    gl.GetTexParameteriv(GL_TEXTURE_CUBE_MAP, name, &value);
-    out.push_back(value);
-  }
-  for (const GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}) {
-    GLint value = 0;
-    gl.GetTexLevelParameteriv(GL_TEXTURE_CUBE_MAP_NEGATIVE_Z, 0, name, &value);
-    out.push_back(value);
-  }
+  append(out, texture_parameters(gl, GL_TEXTURE_CUBE_MAP,
+                                 {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
+                                  GL_TEXTURE_WRAP_R, GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}));
+  append(out, level_parameters(gl, GL_TEXTURE_CUBE_MAP_NEGATIVE_Z,
+                               {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}));
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, cube.framebuffer);
   out.push_back(gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
@@ -147,38 +122,18 @@ Numbers probe_begin_cube_pass(ProbeContext& context, const Arguments& in) {
   gl.DrawBuffer(GL_NONE);
   gl.ReadBuffer(GL_NONE);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.Viewport(1, 1, 2, 2);
-  gl.Disable(GL_DEPTH_TEST);
-  gl.DepthFunc(GL_GREATER);
-  gl.DepthMask(GL_FALSE);
-  gl.Disable(GL_DEPTH_CLAMP);
-  gl.Enable(GL_CULL_FACE);
-  gl.CullFace(GL_BACK);
-  gl.ClearDepth(0.25);
+  set_against_depth_pass(gl);
 
   begin_cube_pass(gl, {texture.id(), framebuffer.id(), side}, in.integer("face"), in.number("cull_front") > 0.5);
 
-  std::array<GLint, 4> viewport{};
-  gl.GetIntegerv(GL_VIEWPORT, viewport.data());
-  Numbers out(viewport.begin(), viewport.end());
-  out.push_back(gl.IsEnabled(GL_DEPTH_TEST));
-  out.push_back(integer_of(gl, GL_DEPTH_FUNC));
-  out.push_back(integer_of(gl, GL_DEPTH_WRITEMASK));
-  out.push_back(gl.IsEnabled(GL_DEPTH_CLAMP));
-  out.push_back(gl.IsEnabled(GL_CULL_FACE));
-  out.push_back(gl.IsEnabled(GL_CULL_FACE) ? integer_of(gl, GL_CULL_FACE_MODE) : 0);
+  Numbers out = depth_pass_state(gl);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
   for (int face = 0; face < 6; ++face) {
     gl.GetTexImage(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     out.push_back(depths[5]);
   }
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
-
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);  // what the next probe expects
-  gl.DepthMask(GL_TRUE);
-  gl.DepthFunc(GL_LESS);
-  gl.CullFace(GL_BACK);
-  gl.Disable(GL_DEPTH_CLAMP);
+  end_depth_pass(gl);
   return out;
 }
 
