@@ -40,6 +40,7 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"nodes_culled", scene.nodes_culled, "of those, outside the view and left out"},
       {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
       {"lights", scene.lights, "added up by the shaders for each point"},
+      {"lookups", scene.lookups, "of texels of shadow maps by the shaders, for each point"},
       {"lights_culled", scene.lights_culled, "of the scene's, left out because nobody could see them"},
   };
 }

@@ -99,6 +99,16 @@ Seen seen_from(const ExactFrustum& frustum, const glm::dvec3& position) {
   return {place, frustum.orthographic ? frustum.extent : place.z * std::tan(frustum.extent)};
 }
 
+/// Whether a spot's cone misses all of a ball.
+bool shines_past(const Light& spot, const Ball& ball) {
+  const glm::dvec3 way = ball.centre - spot.position;
+  const double distance = glm::length(way);
+  if (distance <= ball.radius) return false;
+  const double off =
+      std::acos(glm::clamp(glm::dot(way, glm::normalize(glm::dvec3(spot.direction))) / distance, -1.0, 1.0));
+  return off > spot.outer_angle + std::asin(ball.radius / distance);
+}
+
 /// Whether some box is neither beside what the light sees nor beyond it. What stands before the near plane counts.
 bool reaches_any(const ExactFrustum& frustum, const Corners& boxes) {
   for (std::size_t i = 0; i < boxes.size(); i += 8) {
@@ -116,10 +126,15 @@ bool reaches_any(const ExactFrustum& frustum, const Corners& boxes) {
 
 }  // namespace
 
+std::vector<glm::dvec3> caster_corners_exact(const Scene& scene) {
+  return corners_of_nodes(scene, [](const Node& node) { return node.casts_shadow; });
+}
+
 std::optional<ExactFrustum> exact_frustum(const Scene& scene, const Light& light, MapFit fit) {
   if (!light.casts_shadow || light.type == LightType::point) return {};
-  const Corners casters = corners_of_nodes(scene, [](const Node& node) { return node.casts_shadow; });
+  const Corners casters = caster_corners_exact(scene);
   if (casters.empty()) return {};
+  if (light.type == LightType::spot && shines_past(light, ball_around(casters))) return {};
   const Corners all = fit == MapFit::casters ? casters : corners_of_nodes(scene, [](const Node& node) {
     return node.casts_shadow || node.receives_shadow;
   });

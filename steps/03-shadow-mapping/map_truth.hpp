@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <optional>
+#include <vector>
 
 #include "scene/scene.hpp"
 
@@ -23,9 +24,13 @@ struct ExactFrustum {
   double near = 0.1, far = 1;  ///< metres along the direction
 };
 
+/// The corners of the boxes of all that casts shadows, eight a node: each box lies along its object's own axes. World
+/// space.
+std::vector<glm::dvec3> caster_corners_exact(const Scene& scene);
+
 /// The frustum of a light's map; none where the light has no map: it is a point light, it casts no shadows, or nothing
-/// that casts them is within its reach. A spot's near plane is moved to 99 % of the way to the nearest caster's box, as
-/// the given program does. Throws Error as world_matrices_exact does.
+/// that casts them is within its reach or, of a spot, within its cone. A spot's near plane is moved to 99 % of the way
+/// to the nearest caster's box, as the given program does. Throws Error as world_matrices_exact does.
 std::optional<ExactFrustum> exact_frustum(const Scene& scene, const Light& light, MapFit fit);
 
 /// The shadow coordinate of a point in world space: shadow_coordinate of the contract.

@@ -123,6 +123,35 @@ Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> 
   return pieces;
 }
 
+glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int resolution, float aside) {
+  const glm::ivec4 all(0, 0, resolution, resolution);
+  glm::dvec2 low(resolution), high(0);
+  for (const auto& piece : pieces)
+    for (const glm::dvec3& point : piece) {
+      const glm::dvec4 mapped = glm::dmat4(world_to_map) * glm::dvec4(point, 1);
+      if (mapped.w <= 0) return all;  // what lies before the plane may fall anywhere then
+      const glm::dvec2 texel = glm::dvec2(mapped) / mapped.w * double(resolution);
+      low = glm::min(low, texel), high = glm::max(high, texel);
+    }
+  const glm::ivec2 from(glm::clamp(glm::floor(low - double(aside)), 0.0, double(resolution))),
+      to(glm::clamp(glm::ceil(high + double(aside)), 0.0, double(resolution)));
+  return {from, glm::max(to - from, glm::ivec2(0))};
+}
+
+bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside) {
+  const glm::dmat4 to_view(view);
+  const double widest = 1 + double(aside);
+  const auto outside = [&](const std::vector<glm::dvec3>& piece, int axis, double sign) {
+    return std::all_of(piece.begin(), piece.end(), [&](const glm::dvec3& point) {
+      const glm::dvec4 p = to_view * glm::dvec4(point, 1);
+      return sign * p[axis] > -p.z * widest;
+    });
+  };
+  return std::any_of(pieces.begin(), pieces.end(), [&](const std::vector<glm::dvec3>& piece) {
+    return !outside(piece, 0, 1) && !outside(piece, 0, -1) && !outside(piece, 1, 1) && !outside(piece, 1, -1);
+  });
+}
+
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points) {
   if (points.empty()) return {};
   const Box3 box = box_around(points);
@@ -151,8 +180,9 @@ std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& dir
       shadow_mapping::fit_sun(direction, {glm::vec3(middle), float(std::max(size.x, size.y) / 2)});
   const float eye = glm::dot(frustum.eye, frustum.direction);
   const float slack = 1e-4f * float(size.z) + 1e-6f;  // floats must not put the farthest receiver beyond the plane
-  frustum.near = float(both.low.z) - eye - slack;
-  frustum.far = float(both.high.z) - eye + slack;
+  frustum.eye += (float(both.low.z) - eye - slack) * frustum.direction;  // where depths begin: none is negative
+  frustum.near = 0;
+  frustum.far = float(size.z) + 2 * slack;
   return frustum;
 }
 

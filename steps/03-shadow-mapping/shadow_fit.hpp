@@ -24,6 +24,14 @@ using Pieces = std::vector<std::vector<glm::dvec3>>;
 /// (walls, boxes: a room's box would hold the air in it) and the boxes of others, cut by the six planes of the view.
 Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> items, const Viewpoint& viewpoint);
 
+/// The rectangle of texels of a map that these pieces fall into, and so many texels around it: x, y, width, height. All
+/// of the map where something lies behind the light's plane.
+glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int resolution, float aside);
+
+/// Whether any of the pieces may lie in the view of a cube's face, which is a right angle wide and on each side by a
+/// share `aside` of its half-width more. `view` takes world space to the face's, which looks along -z.
+bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside);
+
 /// A sphere around the middle of the points' bounding box that holds them all; none around no points.
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points);
 

@@ -255,40 +255,28 @@ void ShadowedSurface::make_room(Gl& gl) {
   for (Mapped& map : maps_) map.drawn = false;
 }
 
-std::optional<Pieces> ShadowedSurface::looked_up_from(const Scene& scene, const Viewpoint& viewpoint,
-                                                      const NodePainter& painter) const {
-  if (keep_ || pcss_ || viewpoint.view.output == "shadow_map") return {};
-  return visible_receivers(scene, painter.items(), viewpoint);
+float ShadowedSurface::texels_moved() const {
+  const bool along_normal = bias_ == Bias::normal_offset || bias_ == Bias::plane;  // step 04 has no plane's bias
+  return along_normal ? std::abs(bias_size_) * float(pcf_ + (bilinear_ ? 1 : 0)) : 0.0f;
 }
 
-float ShadowedSurface::texels_aside() const {
-  return 0.5f * float(pcf_) + 1 + std::abs(bias_size_) * float(pcf_ + 1);
+/// x, y, width and height.
+glm::ivec4 ShadowedSurface::texels_looked_up(const Mapped& map) const {
+  const float filter = 0.5f * float(pcf_) + 1, moved = texels_moved();
+  if (map.frustum.orthographic) return texels_of(*looked_up_, map.world_to_map(), resolution_, filter + moved);
+  // In a pyramid, the tangent of whose half-angle is t, a point at depth z that is moved by A along a normal at the
+  // angle a to the axis moves by A (sin^2 a + t sin a cos a) <= A (1 + sqrt(1 + t^2)) / 2 in the map, and comes nearer
+  // by at most A / 2, where texels are smaller. A is so many texels, 2 t z / resolution wide each.
+  const float t = std::tan(map.frustum.extent), nearer = moved * t / float(resolution_);
+  if (nearer >= 0.5f) return {0, 0, resolution_, resolution_};
+  const float aside = moved * (1 + std::hypot(1.0f, t)) / 2 / (1 - nearer);
+  return texels_of(*looked_up_, map.world_to_map(), resolution_, filter + aside);
 }
 
-namespace {
-
-/// The rectangle of texels that points fall into, and so many around it: x, y, width, height.
-glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int resolution, float aside) {
-  const glm::ivec4 all(0, 0, resolution, resolution);
-  glm::dvec2 low(resolution), high(0);
-  for (const auto& piece : pieces)
-    for (const glm::dvec3& point : piece) {
-      const glm::dvec4 mapped = glm::dmat4(world_to_map) * glm::dvec4(point, 1);
-      if (mapped.w <= 0) return all;  // behind the light's plane: what is before it may fall anywhere
-      const glm::dvec2 texel = glm::dvec2(mapped) / mapped.w * double(resolution);
-      low = glm::min(low, texel), high = glm::max(high, texel);
-    }
-  const glm::ivec2 from(glm::clamp(glm::floor(low - double(aside)), 0.0, double(resolution))),
-      to(glm::clamp(glm::ceil(high + double(aside)), 0.0, double(resolution)));
-  return {from, glm::max(to - from, glm::ivec2(0))};
-}
-
-}  // namespace
-
-void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter, const std::optional<Pieces>& looked_up) {
+void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter) {
   Mapped& map = maps_[std::size_t(layer)];
-  if (looked_up) {
-    const glm::ivec4 part = texels_of(*looked_up, map.world_to_map(), resolution_, texels_aside());
+  if (looked_up_) {
+    const glm::ivec4 part = texels_looked_up(map);
     gl.Enable(GL_SCISSOR_TEST);
     gl.Scissor(part.x, part.y, part.z, part.w);
   }
@@ -305,7 +293,7 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, NodePainter& painter, const st
   });
   gl.Disable(GL_SCISSOR_TEST);
   check_gl_error(gl, "drawing a shadow map");
-  map.drawn = !looked_up;
+  map.drawn = !looked_up_;
 }
 
 bool ShadowedSurface::shows_shadows(const View& view) const {
@@ -313,14 +301,16 @@ bool ShadowedSurface::shows_shadows(const View& view) const {
 }
 
 void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
+  shown_ = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
+  looked_up_.reset();
   if (!shows_shadows(viewpoint.view)) return;
+  if (shown_ && !keep_ && !pcss_) looked_up_ = visible_receivers(scene, painter.items(), viewpoint);
   if (!found_ || !keep_ || fit_ == Fit::visible || viewpoint.view.camera_relative) find_maps(scene, viewpoint, painter);
   if (maps_.empty()) return;
   make_room(gl);
   if (!has_room()) return;  // make_shadow_maps is not written yet
-  const auto looked_up = looked_up_from(scene, viewpoint, painter);
   for (int layer = 0; layer < int(maps_.size()); ++layer)
-    if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter, looked_up);
+    if (!keep_ || !maps_[std::size_t(layer)].drawn) draw_map(gl, layer, painter);
 }
 
 bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
@@ -384,6 +374,15 @@ std::map<Slot, SlotCode> ShadowedSurface::slots() const {
 
 std::map<std::string, std::string> ShadowedSurface::outputs() const {
   return {{"shadow_factor", "shown_shadow_factor(surface)"}, {"shadow_coordinate", "shown_shadow_coordinate(surface)"}};
+}
+
+int ShadowedSurface::lookups_in_a_map() const {
+  if (!shown_) return 0;
+  return pcss_ ? 2 * samples_ : pcf_ * pcf_ * (bilinear_ ? 4 : 1);  // pcss: blockers, then comparisons
+}
+
+void ShadowedSurface::count(SceneCounts& counts) const {
+  if (has_room()) counts.lookups += std::int64_t(maps_.size()) * lookups_in_a_map();
 }
 
 void ShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {

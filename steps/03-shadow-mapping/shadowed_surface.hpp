@@ -33,6 +33,7 @@ class ShadowedSurface : public Feature {
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+  void count(SceneCounts& counts) const override;
 
  protected:
   // What a later step that has other maps beside these builds on.
@@ -46,12 +47,15 @@ class ShadowedSurface : public Feature {
   Defines structure(bool receives) const;
   /// Whether shadows are to be seen in an output: normals and depths need no map.
   bool shows_shadows(const View& view) const;
-  /// What maps are looked up for in this view, where that bounds what must be drawn of them: where they are drawn for
+  /// What maps are looked up for in this frame, where that bounds what must be drawn of them: where they are drawn for
   /// every frame, by filters whose reach is known. None where all of a map may matter.
-  std::optional<Pieces> looked_up_from(const Scene& scene, const Viewpoint& viewpoint,
-                                       const NodePainter& painter) const;
-  /// How far from a point's own texel it may be looked up, texels: by the filter, and by a bias that moves it aside.
-  float texels_aside() const;
+  const std::optional<Pieces>& looked_up() const { return looked_up_; }
+  /// How many texels the bias moves a point along its normal; what moves it towards the light leaves it where it is in
+  /// the map.
+  float texels_moved() const;
+  int pcf() const { return pcf_; }
+  /// Texels that the filter reads of one map for each point, in the last frame; 0 where nothing is looked up in it.
+  int lookups_in_a_map() const;
   bool has_map(int light) const { return map_of(light) >= 0; }  ///< a light of the scene, after draw_before
   const LitSurface& lit() const { return lit_; }
   GLenum format() const { return format_; }
@@ -82,7 +86,8 @@ class ShadowedSurface : public Feature {
   shadow_mapping::Sphere covered(const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
   void make_room(Gl& gl);
-  void draw_map(Gl& gl, int layer, NodePainter& painter, const std::optional<Pieces>& looked_up);
+  void draw_map(Gl& gl, int layer, NodePainter& painter);
+  glm::ivec4 texels_looked_up(const Mapped& map) const;
   int map_of(int light) const;
   bool parallel_light_stays_parallel() const;
   bool has_room() const { return texture_ && framebuffer_; }  ///< false where make_shadow_maps is not written yet
@@ -97,7 +102,9 @@ class ShadowedSurface : public Feature {
   bool bilinear_ = false, pcss_ = false, random_ = false, keep_ = true;
 
   std::vector<Mapped> maps_;  ///< layer by layer
-  bool found_ = false;        ///< whether maps_ is right for scene and settings
+  bool shown_ = false;        ///< whether the last frame's shaders read the maps
+  std::optional<Pieces> looked_up_;
+  bool found_ = false;  ///< whether maps_ is right for scene and settings
   shadow_mapping::ShadowMaps names_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;

@@ -53,21 +53,6 @@ double farthest_corner(const NodePainter::Item& item, const glm::dvec3& from) {
   return farthest;
 }
 
-/// Whether any of the pieces may lie in a face's view, which is a right angle wide and by a share `aside` more.
-bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside) {
-  const glm::dmat4 to_view(view);
-  const double widest = 1 + double(aside);
-  const auto outside = [&](const std::vector<glm::dvec3>& piece, int axis, double sign) {
-    return std::all_of(piece.begin(), piece.end(), [&](const glm::dvec3& point) {
-      const glm::dvec4 p = to_view * glm::dvec4(point, 1);
-      return sign * p[axis] > -p.z * widest;
-    });
-  };
-  return std::any_of(pieces.begin(), pieces.end(), [&](const std::vector<glm::dvec3>& piece) {
-    return !outside(piece, 0, 1) && !outside(piece, 0, -1) && !outside(piece, 1, 1) && !outside(piece, 1, -1);
-  });
-}
-
 }  // namespace
 
 std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
@@ -93,9 +78,20 @@ std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
                                       .far = far};
 }
 
-std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(
-    const Scene& scene, int light, const Viewpoint& viewpoint, const NodePainter& painter,
-    const std::optional<Pieces>& looked_up) const {
+/// Whether anything in the picture is looked up in a face.
+bool PointShadowedSurface::is_looked_up(const glm::mat4& face) const {
+  if (every_face_ || !looked_up()) return true;
+  // Where a grid of texels that is square to the direction lies across an edge, a step along it is up to sqrt(2) texels
+  // of the face wide, and one along its diagonal 2. A normal moves a point by up to sqrt(2) texels aside. Both hold
+  // while the steps are short against the distance.
+  const float texel = 2 / float(edge_), steps = 0.71f * float(pcf() - 1) + texels_moved();
+  if (steps * texel > 0.5f) return true;
+  return looks_into(*looked_up(), face, texel * (float(pcf() + 1) + 1.42f * texels_moved()));
+}
+
+std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const Scene& scene, int light,
+                                                                          const Viewpoint& viewpoint,
+                                                                          const NodePainter& painter) const {
   const Light& source = scene.lights[std::size_t(light)];
   if (!source.casts_shadow || has_map(light)) return {};
   Cubed cube{.light = light, .position = glm::vec3(source.position - viewpoint.origin)};
@@ -111,23 +107,26 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(
   cube.near = cube.far * 1e-5f;   // nothing is lost by a near plane this near: it is distances that are stored
   const glm::mat4 projection = face_projection(cube.near, cube.far);
   for (int face = 0; face < 6; ++face) {
-    if (looked_up && !looks_into(*looked_up, face_view(cube.position, face), 2 * texels_aside() / float(edge_)))
-      continue;
+    const glm::mat4 view = face_view(cube.position, face);
+    if (!is_looked_up(view)) continue;
     for (const int i : cube.casters) {
       const NodePainter::Item& item = painter.items()[std::size_t(i)];
-      if (every_face_ || !outside_view(projection, face_view(cube.position, face), item.model, item.box))
+      if (every_face_ || !outside_view(projection, view, item.model, item.box))
         cube.seen[std::size_t(face)].push_back(i);
     }
   }
+  std::erase_if(cube.casters, [&](int i) {
+    return std::ranges::none_of(cube.seen,
+                                [&](const std::vector<int>& seen) { return std::ranges::count(seen, i) > 0; });
+  });
   return cube;
 }
 
 void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
   cubes_.clear();
-  const auto looked_up = every_face_ ? std::nullopt : looked_up_from(scene, viewpoint, painter);
   for (const int light : lit().points())
     if (int(cubes_.size()) < most_cubes)
-      if (auto cube = cube_for(scene, light, viewpoint, painter, looked_up)) cubes_.push_back(std::move(*cube));
+      if (auto cube = cube_for(scene, light, viewpoint, painter)) cubes_.push_back(std::move(*cube));
   cubes_found_ = true;
 }
 
@@ -212,8 +211,8 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
 }
 
 void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
-  if (!shows_shadows(viewpoint.view)) return;
   ShadowedSurface::draw_before(gl, scene, viewpoint, painter);
+  if (!shows_shadows(viewpoint.view)) return;
   if (!cubes_found_ || !keeps_maps() || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
     if (!make_room(gl, i)) continue;
@@ -288,6 +287,12 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene& scene, const V
     if (i < rooms_.size() && rooms_[i].made())
       binder.texture(fmt::format("u_cube_{}", i), rooms_[i].texture.id(), GL_TEXTURE_CUBE_MAP);
   }
+}
+
+void PointShadowedSurface::count(SceneCounts& counts) const {
+  ShadowedSurface::count(counts);
+  for (const Cubed& cube : cubes_)
+    if (cube_of(cube.light) >= 0) counts.lookups += lookups_in_a_map();
 }
 
 }  // namespace atelier

@@ -23,6 +23,7 @@ class PointShadowedSurface : public ShadowedSurface {
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+  void count(SceneCounts& counts) const override;
 
  protected:
   std::optional<shadow_mapping::LightFrustum> fit_point(const Light& light, const glm::vec3& position,
@@ -35,7 +36,7 @@ class PointShadowedSurface : public ShadowedSurface {
     int light = 0;             ///< index into Scene::lights
     glm::vec3 position{0};     ///< in the space that shaders call world
     float near = 0, far = 1;   ///< metres: of the faces' projections; far is what the stored distances are shares of
-    std::vector<int> casters;  ///< items of the painter
+    std::vector<int> casters;  ///< items of the painter that some face sees
     std::array<std::vector<int>, 6> seen;  ///< of these, those that each face sees
     bool drawn = false;
   };
@@ -49,8 +50,9 @@ class PointShadowedSurface : public ShadowedSurface {
     bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet
   };
 
-  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint, const NodePainter& painter,
-                                const std::optional<Pieces>& looked_up) const;
+  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
+                                const NodePainter& painter) const;
+  bool is_looked_up(const glm::mat4& face) const;
   void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
   bool make_room(Gl& gl, std::size_t cube);
   void draw_cube(Gl& gl, std::size_t cube, NodePainter& painter);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "03-shadow-mapping/map_truth.hpp"
 #include "03-shadow-mapping/truth.hpp"
 #include "04-point-shadows/scenes.hpp"
 #include "base/error.hpp"
@@ -18,23 +19,12 @@ const Light* shown_lamp(const Scene& scene, const Settings& settings) {
   return &scene.lights[index];
 }
 
-/// The distance that a lamp's cube stores as 1: 1.001 times that of the farthest corner of a caster's box (boxes lie
-/// along their objects' own axes). 0 where nothing casts.
+/// The distance that a lamp's cube stores as 1: 1.001 times that of the farthest corner of a caster's box. 0 where
+/// nothing casts.
 double farthest_distance(const Scene& scene, const glm::dvec3& lamp) {
-  const std::vector<glm::dmat4> models = world_matrices_exact(scene.nodes);
   double farthest = 0;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    const Node& node = scene.nodes[i];
-    if (!node.mesh || !node.casts_shadow) continue;
-    Box3 box;
-    for (const Vertex& vertex : scene.meshes[std::size_t(*node.mesh)].vertices) box.add(glm::dvec3(vertex.position));
-    if (box.empty()) continue;
-    for (int k = 0; k < 8; ++k) {
-      const glm::dvec4 corner(k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y,
-                              k & 4 ? box.high.z : box.low.z, 1);
-      farthest = std::max(farthest, glm::distance(glm::dvec3(models[i] * corner), lamp));
-    }
-  }
+  for (const glm::dvec3& corner : caster_corners_exact(scene))
+    farthest = std::max(farthest, glm::distance(corner, lamp));
   return 1.001 * farthest;
 }
 
@@ -62,13 +52,13 @@ oracle::SurfaceColour numbers_for(const TruthRequest& request, const Settings& s
 
 SceneTruth point_shadow_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   if (!model) model = make_point_scene(request.scene, settings);
-  const Light* lamp = shown_lamp(*model, settings);
-  if (!lamp || !request.output.starts_with("shadow_")) return shadow_truth(request, settings, std::move(model));
-  const Light shown = *lamp;
+  if (!request.output.starts_with("shadow_")) return shadow_truth(request, settings, std::move(model));
   TruthRequest lit = request;
   lit.output = "colour";
-  SceneTruth truth = shadow_truth(lit, settings, std::move(model));
-  truth.shading.surface = numbers_for(request, settings, shown, truth);
+  SceneTruth truth = shadow_truth(lit, settings, model);  // of the lights that shine: light.count may leave some out
+  const Light* lamp = shown_lamp(truth.scene, settings);
+  if (!lamp) return shadow_truth(request, settings, std::move(model));
+  truth.shading.surface = numbers_for(request, settings, Light(*lamp), truth);
   truth.scene.background = glm::vec3(0);  // no number where nothing is seen
   truth.output = "colour";
   return truth;
