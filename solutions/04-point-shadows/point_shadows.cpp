@@ -59,7 +59,7 @@ void begin_cube_pass(Gl& gl, const CubeMap& cube, int face, bool cull_front_face
   // <<< student
 }
 
-// ---- Core 2: the six views
+// ---- Core 1: the six views
 
 glm::mat4 face_view(const glm::vec3& position, int face) {
   // >>> student: which way each face looks, and which way is up there

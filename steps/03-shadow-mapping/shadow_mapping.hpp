@@ -1,6 +1,6 @@
 // 03-shadow-mapping: the contract. You write shadow_mapping.cpp (the map and the light's matrices), depth_pass.glsl
-// (how the map is drawn) and shadow_mapping.glsl (how it is looked up). The GLSL functions are declared in this file as
-// comments; their types and uniforms are in shadows.glsl.
+// (how the map is drawn), shadow_mapping.glsl (how it is looked up) and some lines of choices.txt. The GLSL functions are
+// declared in this file as comments; their types and uniforms are in shadows.glsl.
 //
 // The idea (Williams, "Casting curved shadows on curved surfaces", 1978): what a light does not see is in its shadow.
 // So the scene is drawn once from the light, depth alone; afterwards every point that is drawn for the eye is asked
@@ -41,8 +41,9 @@
 //       amount * sin(alpha) / cos(theta) metres nearer to the light: alpha is the angle between the normal and `axis`,
 //       the direction against which the light looks (the map's texels are square to it), theta the angle between the
 //       normal and to_light. For a sun both are one angle, and this is its tangent. cos(theta) counts as at least 0.01.
-//   vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount)          (further)
-//       amount * sin(alpha) metres along the normal, alpha as above.
+//       A zero normal moves nothing.
+//   vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount)
+//       amount * sin(alpha) metres along the normal, alpha as above. A zero normal moves nothing.
 //   vec2 plane_slope(vec3 dx, vec3 dy)                                               (further)
 //       (dz/du, dz/dv) of the plane that the surface is in the map's space: dx and dy are how the shadow coordinate
 //       changes from pixel to pixel. Solves s.x du + s.y dv = dz for both. Where the two directions are parallel in the
@@ -71,17 +72,17 @@
 //   float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light)
 //       The share of the light that reaches a point: 1 lit, 0 in shadow. `normal` is of unit length, or zero. Bias by
 //       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none,
-//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. With 2 and 3 a zero normal moves nothing. The
-//       coordinate is that of the moved point; where BIAS is not 0 its z is lowered by u_depth_step, what rounding may
+//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS is not 0 its z is lowered by u_depth_step, what rounding may
 //       part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and with PCSS the slope is plane_slope of the
 //       coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
 //       (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that stands for the
 //       point. Otherwise the slope is zero.
 //   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
 //       Step 02's shade with shadows: ambient light arrives everywhere; of each light arrives what visible_from_point,
-//       visible_from_spot or visible_from_sun (declared before your file; the first argument is the light's number, the
-//       normal of unit length or zero) lets through. They take derivatives: call them for every light, before any
-//       branch in which neighbouring pixels may part.
+//       visible_from_spot or visible_from_sun lets through. They are declared before your file, each as
+//         float visible_from_point(int light, vec3 position, vec3 normal, vec3 to_light)
+//       with the light's place in u_point_lights (u_spot_lights, u_directional_lights) and a normal of unit length or
+//       zero. They take derivatives: call them for every light, before any branch in which neighbouring pixels may part.
 #pragma once
 
 #include "02-blinn-phong/blinn_phong.hpp"
@@ -100,7 +101,7 @@ struct LightFrustum {
   glm::vec3 eye{0};               ///< from where depth is measured
   glm::vec3 direction{0, -1, 0};  ///< of unit length: the way that it looks
   float extent = 1;               ///< half the angle of view, radians; orthographic: half the width, metres
-  float near = 0.1f, far = 100;   ///< metres along the direction
+  float near = 0.1f, far = 100;   ///< metres along the direction, neither below 0
 };
 
 /// Depth maps of one size, one layer a light, and the framebuffer through which they are drawn. Names (numbers) of
@@ -125,8 +126,8 @@ ShadowMaps make_shadow_maps(Gl& gl, int resolution, int layers, GLenum internal_
 
 /// Makes everything ready for drawing layer `layer`: framebuffer bound with that layer attached as depth, viewport all
 /// of the map, depth test on (GL_LESS, writing), depth clamping on (GL_DEPTH_CLAMP: what stands before the near plane
-/// is pressed onto it, and still casts its shadow), the layer cleared to 1. Culls front faces (further) where asked,
-/// otherwise nothing: open surfaces cast shadows from both sides.
+/// is pressed onto it, and still casts its shadow), the layer cleared to 1. Culls front faces where asked, otherwise
+/// nothing: open surfaces cast shadows from both sides.
 void begin_depth_pass(Gl& gl, const ShadowMaps& maps, int layer, bool cull_front_faces);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -142,7 +143,8 @@ void begin_depth_pass(Gl& gl, const ShadowMaps& maps, int layer, bool cull_front
 LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, float outer_angle, const Sphere& sphere);
 
 /// World space to the light's space, which looks along -z as a camera does: step 01's look_at from `eye` along
-/// `direction`, with +y up.
+/// `direction`, with +y up. Right also far from the world's origin, where `eye` + `direction` has lost the direction's
+/// digits: so turn at the origin, and move afterwards.
 glm::mat4 light_view(const LightFrustum& frustum);
 
 /// The light's space to clip space, square: step 01's perspective or orthographic.

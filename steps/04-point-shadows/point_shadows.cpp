@@ -15,7 +15,7 @@ void begin_cube_pass(Gl& gl, const CubeMap& cube, int face, bool cull_front_face
   // TODO(04-point-shadows): attach one face or the whole cube, set viewport, depth test, clamping and culling, clear
 }
 
-// ---- Core 2: the six views
+// ---- Core 1: the six views
 
 glm::mat4 face_view(const glm::vec3& position, int face) {
   // TODO(04-point-shadows): which way each face looks, and which way is up there

@@ -1,6 +1,7 @@
 // 04-point-shadows: the contract. You write point_shadows.cpp (the cube map and its six views), cube_pass.glsl (how it
 // is drawn) and point_shadows.glsl (how it is looked up). The GLSL functions are declared in this file as comments;
-// their types and uniforms are in cubes.glsl.
+// their types and uniforms are in cubes.glsl. (cube_pass.glsl sees in vec3 v_corner_world[], out vec3 g_position_world,
+// uniform mat4 u_face_matrices[6] and uniform float u_face_wanted[6] in the geometry shader, nothing else.)
 //
 // A lamp that shines all round needs a map all round: six square maps of 90 degrees each, the faces of a cube around
 // it. OpenGL looks a cube map up by a direction, so what is stored and what is compared is not a depth along some axis
@@ -14,7 +15,7 @@
 // seen from the middle of the cube the pictures stand on their heads, which is why a face's view has -y up, and those
 // of +y and -y have +z and -z.
 //
-// In cube_pass.glsl:
+// In cube_pass.glsl (Core 1):
 //
 //   void draw_in_faces()                                                             (geometry shader)
 //       Emits the triangle whose corners are v_corner_world[0..2] once for every face whose u_face_wanted[face] is
@@ -24,7 +25,7 @@
 //   float stored_distance(vec3 position, vec3 light, float far)                      (fragment shader)
 //       What the map holds: |position - light| / far, at most 1.
 //
-// In point_shadows.glsl (fragment shader):
+// In point_shadows.glsl (fragment shader; Core 2):
 //
 //   float cube_texel(vec3 from_light, float resolution)
 //       How many metres wide a texel of the cube is where the lamp's light arrives at `from_light` (the way from the
@@ -36,7 +37,8 @@
 //   float cube_pcf(CubeLight light, vec3 from_light, float reference)
 //       The mean of PCF x PCF comparisons, all with this reference, in a square grid of directions around from_light:
 //       steps of one texel (cube_texel) along u = normalize(cross(a, from_light)) and v = cross(normalize(from_light),
-//       u), middle at from_light; a is the first of the axes x, y, z with the smallest |component| of from_light.
+//       u), middle at from_light; a is the first of the axes x, y, z with the smallest |component| of from_light. 1
+//       where from_light is zero.
 //   float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_light)
 //       The share of the lamp's light that reaches a point, 1 or 0 and between. First the bias by the define BIAS, as
 //       in step 03, with amount = u_bias * KERNEL * cube_texel of the unmoved point: 1 constant_bias, 2 slope_bias, 3
@@ -87,7 +89,7 @@ CubeMap make_cube_map(Gl& gl, int resolution, GLenum internal_format, bool compa
 void begin_cube_pass(Gl& gl, const CubeMap& cube, int face, bool cull_front_faces);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Core 2: the six views
+// Core 1: the six views
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// World space to the space of face 0..5 of a cube around `position`: step 01's look_at along +x, -x, +y, -y, +z, -z

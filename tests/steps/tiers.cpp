@@ -1,0 +1,83 @@
+// Who does the core alone passes the core, and who does the further part as well passes that: no case asks for a
+// function that only later tiers are about.
+#include <algorithm>
+#include <set>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "cli/function_text.hpp"
+#include "cli/marked_text.hpp"
+#include "command.hpp"
+#include "judge/judged_case.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+using nlohmann::json;
+
+namespace {
+
+const std::vector<std::string> tiers{"core", "further", "challenge"};
+
+bool within(const judge::JudgedCase& c, const std::string& last) {
+  return std::find(tiers.begin(), tiers.end(), c.tier) <= std::find(tiers.begin(), tiers.end(), last);
+}
+
+/// The functions that cases name, up to a tier.
+std::set<std::string> named_up_to(const std::vector<judge::JudgedCase>& cases, const std::string& last) {
+  std::set<std::string> names;
+  for (const judge::JudgedCase& c : cases)
+    if (within(c, last)) names.insert(c.functions.begin(), c.functions.end());
+  return names;
+}
+
+/// The solution with the bodies of these functions as they were handed out.
+std::string without(std::string text, const std::set<std::string>& functions, const std::string& file,
+                    const std::string& step) {
+  for (const std::string& name : functions)
+    if (const auto found = find_function(text, name))
+      text.replace(text.find(found->text), found->text.size(), cut_skeleton(found->text, file, step));
+  return text;
+}
+
+/// Of all steps, what a student hands in who stops behind a tier. Returns how many functions are left out.
+std::size_t stop_behind(const std::string& last, const std::filesystem::path& folder) {
+  std::size_t left_out = 0;
+  for (const CourseStep& step : course()) {
+    const auto cases = judge::read_case_file(folders().case_file(step.name)).cases;
+    const std::set<std::string> all = named_up_to(cases, tiers.back()), done = named_up_to(cases, last);
+    std::set<std::string> later;
+    std::set_difference(all.begin(), all.end(), done.begin(), done.end(), std::inserter(later, later.end()));
+    left_out += later.size();
+    std::filesystem::create_directories(folder / step.name);
+    for (const std::string& file : step.files)
+      write_file(folder / step.name / file,
+                 without(read_file(folders().solutions() / step.name / file), later, file, step.name));
+  }
+  return left_out;
+}
+
+}  // namespace
+
+TEST_CASE("no tier asks for what only later tiers are about", "[tiers]") {
+  for (const std::string last : {"core", "further"}) {
+    const TemporaryFolder submission;
+    CHECK(stop_behind(last, submission.path()) > 0);
+    const json results = graded(submission.path());
+    REQUIRE(results["steps"].size() == course().size());
+    for (const json& step : results["steps"]) {
+      const std::string name = step["step"];
+      CHECK(step["build_log"] == "");
+      std::set<std::string> meant;
+      for (const auto& c : judge::read_case_file(folders().case_file(name)).cases)
+        if (within(c, last)) meant.insert(c.ask.name);
+      bool later_fail = false;
+      for (const json& c : step["cases"]) {
+        INFO(name << ", " << last << ": " << c["name"].get<std::string>() << ": " << c["reason"].get<std::string>());
+        if (meant.contains(c["name"])) CHECK(c["status"] == "passed");
+        later_fail |= !meant.contains(c["name"]) && c["status"] != "passed";
+      }
+      // Else nothing was left out, and nothing was proven.
+      if (meant.size() < step["cases"].size()) CHECK(later_fail);
+    }
+  }
+}
