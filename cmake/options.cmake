@@ -25,19 +25,18 @@ if(ATELIER_MOLD)
 endif()
 
 # For code that waits for files, drivers and other programs, and for tests: half of the time to compile, and nobody sees
-# the difference. With ADDRESSES_ONLY it goes without the checks of undefined behaviour in a build with sanitizers, where
-# they take half of the time, and keeps AddressSanitizer: for what reads nothing from strangers. Call it before
-# atelier_precompile: GCC 12 crashes over headers that were precompiled with other options.
+# the difference. With ADDRESSES_ONLY it goes without the checks of undefined behaviour in a build with sanitizers and
+# keeps AddressSanitizer: for what reads nothing from strangers. Call it before atelier_precompile: GCC 12 crashes over
+# headers that were precompiled with other options.
 function(atelier_compile_quickly target)
   cmake_parse_arguments(QUICKLY "ADDRESSES_ONLY" "" "" ${ARGN})
   if(NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" OR CMAKE_BUILD_TYPE STREQUAL Debug)
     return()
   endif()
-  if(NOT ATELIER_SANITIZE)
-    target_compile_options(${target} PRIVATE -O0)
-    set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
-  elseif(QUICKLY_ADDRESSES_ONLY)
-    target_compile_options(${target} PRIVATE -O0 -fno-sanitize=undefined)
+  target_compile_options(${target} PRIVATE -O0)
+  set_target_properties(${target} PROPERTIES ATELIER_LEVEL quick)
+  if(ATELIER_SANITIZE AND QUICKLY_ADDRESSES_ONLY)
+    target_compile_options(${target} PRIVATE -fno-sanitize=undefined)
     set_target_properties(${target} PROPERTIES ATELIER_LEVEL addresses)
   endif()
 endfunction()
