@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/csv.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
@@ -72,12 +73,6 @@ Json try_table(const ProjectFolders& folders, const std::string& table, const fs
     throw Error(fmt::format("stability of {}: {}", table,
                             finished.signal ? signal_name(finished.signal) : finished.output.substr(0, 500)));
   return Json::parse(read_file(file));
-}
-
-std::string csv_field(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
 }
 
 void write_rows(const std::vector<Row>& rows, const fs::path& file) {

@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "base/csv.hpp"
 #include "measure/expect.hpp"
 #include "measure/pareto.hpp"
 
@@ -15,15 +16,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A field of RFC 4180: in quotes where it holds what ends one.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string field(const std::optional<double>& number) {
+std::string csv_number(const std::optional<double>& number) {
   return number ? fmt::format("{:.6g}", *number) : std::string();
 }
 
@@ -41,11 +34,12 @@ std::set<std::string> names_of_counts(const StepMeasured& measured) {
 std::string line_of(const std::string& name, Metric metric, const Point& point, const std::set<std::string>& counts) {
   const auto& times = point.cost.times;
   const auto time = [&](double FrameTimes::*member) {
-    return field(times ? std::optional(times.value().*member) : std::nullopt);
+    return csv_number(times ? std::optional(times.value().*member) : std::nullopt);
   };
-  std::string line = fmt::format("{},{},{},{},{},{},{},{},{},{}", field(name), field(point.curve), field(point.value),
-                                 to_string(metric), field(point.error), field(point.rmse), field(point.flip),
-                                 time(&FrameTimes::median), time(&FrameTimes::least), time(&FrameTimes::most));
+  std::string line =
+      fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(name), csv_field(point.curve), csv_field(point.value),
+                  to_string(metric), csv_number(point.error), csv_number(point.rmse), csv_number(point.flip),
+                  time(&FrameTimes::median), time(&FrameTimes::least), time(&FrameTimes::most));
   for (const std::string& count : counts) {
     const auto found = point.cost.counts.find(count);
     line += found == point.cost.counts.end() ? "," : fmt::format(",{}", found->second);
@@ -128,7 +122,7 @@ std::vector<Row> rows_of(const std::string& csv) {
 std::string as_csv(const StepMeasured& measured) {
   const std::set<std::string> counts = names_of_counts(measured);
   std::string csv = "sweep,curve,value,metric,error,rmse,flip,median_s,least_s,most_s";
-  for (const std::string& count : counts) csv += "," + field(count);
+  for (const std::string& count : counts) csv += "," + csv_field(count);
   csv += "\n";
   for (const SweepResult& sweep : measured.sweeps)
     for (const Point& point : sweep.points) csv += line_of(sweep.plan.name, sweep.plan.metric, point, counts);
@@ -148,10 +142,10 @@ std::string as_json(const StepMeasured& measured) {
 }
 
 std::string errors_as_csv(const SweepResult& result) {
-  std::string csv = fmt::format("{},{},{}\n", field(result.plan.curves_by), field(result.plan.setting),
-                                field(to_string(result.plan.metric)));
+  std::string csv = fmt::format("{},{},{}\n", csv_field(result.plan.curves_by), csv_field(result.plan.setting),
+                                csv_field(to_string(result.plan.metric)));
   for (const Point& point : result.points)
-    csv += fmt::format("{},{},{:.6g}\n", field(point.curve), field(point.value), point.error);
+    csv += fmt::format("{},{},{:.6g}\n", csv_field(point.curve), csv_field(point.value), point.error);
   return csv;
 }
 
