@@ -45,6 +45,17 @@ std::vector<Drawn> drawn(const std::string& step, std::vector<Case> pictures) {
   return all;
 }
 
+void check_costs(const std::string& step, const std::vector<Priced>& rows) {
+  std::vector<Case> pictures;
+  for (const Priced& row : rows) pictures.push_back(row.picture);
+  const std::vector<Drawn> all = drawn(step, pictures);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& [count, expected] : rows[i].costs) {
+      INFO(rows[i].name << ": " << count);
+      CHECK(all[i].counts.at(count) == expected);
+    }
+}
+
 std::map<std::string, std::int64_t> counts_at_rest(const std::string& step, const Case& picture) {
   const TemporaryFolder folder("atelier-steps-test");
   std::vector<std::string> arguments = {folders().program(step).string(),

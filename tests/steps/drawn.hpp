@@ -20,6 +20,16 @@ struct Drawn {
 /// the cases are their places: "0", "1" ...
 std::vector<Drawn> drawn(const std::string& step, std::vector<Case> pictures);
 
+/// A picture, and what some of its counts must be.
+struct Priced {
+  std::string name;
+  Case picture;
+  std::map<std::string, std::int64_t> costs;
+};
+
+/// Draws all of them and checks each cost that is given.
+void check_costs(const std::string& step, const std::vector<Priced>& rows);
+
 /// What the same picture costs once it has been drawn before.
 std::map<std::string, std::int64_t> counts_at_rest(const std::string& step, const Case& picture);
 

@@ -15,11 +15,7 @@ using namespace atelier::test;
 using nlohmann::json;
 
 TEST_CASE("a scene without something has no cost of it", "[required]") {
-  const struct {
-    const char* name;
-    Case picture;
-    std::map<std::string, std::int64_t> costs;
-  } rows[] = {
+  const std::vector<Priced> rows = {
       {"no textures: nothing held, nothing looked up, no texture coordinate read",
        picture("facets"),
        {{"texture_bytes", 0}, {"texture_sources", 0}, {"attributes", 2}}},
@@ -40,14 +36,7 @@ TEST_CASE("a scene without something has no cost of it", "[required]") {
       {"one target of floats and 24 bits of depth", picture("facets"), {{"target_bytes", 160 * 120 * (16 + 4)}}},
       {"nothing is made in a frame", picture("tiles"), {{"allocated_bytes", 0}}},
   };
-  std::vector<Case> pictures;
-  for (const auto& row : rows) pictures.push_back(row.picture);
-  const auto all = drawn("02-blinn-phong", pictures);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const auto& [count, expected] : rows[i].costs) {
-      INFO(rows[i].name << ": " << count);
-      CHECK(all[i].counts.at(count) == expected);
-    }
+  check_costs("02-blinn-phong", rows);
 }
 
 TEST_CASE("textures that no material of a step looks up are not uploaded", "[required]") {

@@ -25,11 +25,7 @@ const SettingValue never = std::string("never"), six = std::string("six"), all_f
 }  // namespace
 
 TEST_CASE("lamps that need no cube have none", "[required]") {
-  const struct {
-    const char* name;
-    Case picture;
-    std::map<std::string, std::int64_t> costs;
-  } rows[] = {
+  const std::vector<Priced> rows = {
       {"casters all round: a cube, one pass for its six faces, one texture",
        lamp_lit("lantern"),
        {{"passes", 2}, {"texture_sources", 1}, {"target_bytes", picture_bytes + 6 * face_bytes}}},
@@ -54,14 +50,7 @@ TEST_CASE("lamps that need no cube have none", "[required]") {
        lamp_lit("lantern", {{"shadow.format", std::string("16")}}),
        {{"target_bytes", picture_bytes + 3 * face_bytes}}},
   };
-  std::vector<Case> pictures;
-  for (const auto& row : rows) pictures.push_back(row.picture);
-  const auto all = drawn(step, pictures);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const auto& [count, expected] : rows[i].costs) {
-      INFO(rows[i].name << ": " << count);
-      CHECK(all[i].counts.at(count) == expected);
-    }
+  check_costs(step, rows);
 }
 
 TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {

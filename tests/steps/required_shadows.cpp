@@ -21,11 +21,7 @@ Case shadowed(const std::string& scene, std::map<std::string, SettingValue> sett
 }  // namespace
 
 TEST_CASE("shadows that a scene does not have cost nothing", "[required]") {
-  const struct {
-    const char* name;
-    Case picture;
-    std::map<std::string, std::int64_t> costs;
-  } rows[] = {
+  const std::vector<Priced> rows = {
       {"a lamp and what casts: one map, one pass into it, one texture looked up",
        shadowed("table"),
        {{"passes", 2}, {"texture_sources", 1}, {"target_bytes", picture_bytes + map_bytes}, {"lookups", 1}}},
@@ -54,14 +50,7 @@ TEST_CASE("shadows that a scene does not have cost nothing", "[required]") {
        shadowed("table", {{"shadow.format", std::string("16")}}),
        {{"target_bytes", picture_bytes + map_bytes / 2}}},
   };
-  std::vector<Case> pictures;
-  for (const auto& row : rows) pictures.push_back(row.picture);
-  const auto all = drawn(step, pictures);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const auto& [count, expected] : rows[i].costs) {
-      INFO(rows[i].name << ": " << count);
-      CHECK(all[i].counts.at(count) == expected);
-    }
+  check_costs(step, rows);
 }
 
 TEST_CASE("what receives no shadow has no code for it", "[required]") {
