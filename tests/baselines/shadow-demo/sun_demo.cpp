@@ -2,15 +2,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "03-shadow-mapping/cubes.hpp"
-#include "shadow-demo/demo.hpp"
-#include "shadow-demo/demo_scene.hpp"
-#include "shadow-demo/lit_fragment.hpp"
+#include "shadow-demo/two_pass_demo.hpp"
 
 namespace atelier::shadow_demo {
 
 namespace {
 
-constexpr int resolution = 1024;  // texels a side
 constexpr glm::vec3 lamp{-2, 4, -1};
 
 constexpr const char* depth_vertex = R"(
@@ -19,22 +16,8 @@ uniform mat4 u_model, u_world_to_light;
 void main() { gl_Position = u_world_to_light * u_model * vec4(a_position, 1.0); }
 )";
 
-constexpr const char* lit_vertex = R"(
-layout(location = 0) in vec3 a_position;
-layout(location = 1) in vec3 a_normal;
-layout(location = 2) in vec2 a_texcoord;
-uniform mat4 u_model, u_view, u_projection, u_world_to_light;
-out vec3 v_position, v_normal;
-out vec2 v_texcoord;
-out vec4 v_position_light;
-void main() {
-  v_position = vec3(u_model * vec4(a_position, 1.0));
-  v_normal = transpose(inverse(mat3(u_model))) * a_normal;
-  v_texcoord = a_texcoord;
-  v_position_light = u_world_to_light * vec4(v_position, 1.0);
-  gl_Position = u_projection * u_view * vec4(v_position, 1.0);
-}
-)";
+constexpr const char* to_map = "  v_position_light = u_world_to_light * vec4(v_position, 1.0);\n";
+constexpr const char* to_map_declarations = "uniform mat4 u_world_to_light; out vec4 v_position_light;\n";
 
 constexpr const char* sun_shadow = R"(
 in vec4 v_position_light;
@@ -54,11 +37,11 @@ float shadow(vec3 normal) {
 }
 )";
 
-/// A depth texture that is 1, the farthest, beyond its edges.
-GlTexture make_map(Gl& gl) {
-  GlTexture map(gl);
-  gl.BindTexture(GL_TEXTURE_2D, map.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, resolution, resolution, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+/// 1, the farthest, beyond its edges.
+DepthMap make_map(Gl& gl) {
+  DepthMap map{GL_TEXTURE_2D, 1024, GlTexture(gl)};
+  gl.BindTexture(GL_TEXTURE_2D, map.texture.id());
+  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, map.resolution, map.resolution, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
                 nullptr);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -69,55 +52,23 @@ GlTexture make_map(Gl& gl) {
   return map;
 }
 
-class SunDemo : public Demo {
+class SunDemo : public TwoPassDemo {
  public:
   explicit SunDemo(Gl& gl)
-      : gl_(gl),
-        demo_(gl, make_cubes_scene()),
-        depth_(build(gl, depth_vertex, "void main() {}\n")),
-        colour_(build(gl, lit_vertex, lit_fragment(sun_shadow, false))),
-        factor_(build(gl, lit_vertex, lit_fragment(sun_shadow, true))),
-        map_(make_map(gl)),
-        framebuffer_(gl) {
-    gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map_.id(), 0);
-    gl.DrawBuffer(GL_NONE);
-    gl.ReadBuffer(GL_NONE);
-    check_gl_error(gl, "making the demo's depth map");
-  }
-
-  const Scene& scene() const override { return demo_.scene(); }
-
-  void draw(const Frame& frame, bool shadow_factor) override {
-    const glm::mat4 world_to_light =
-        glm::ortho(-10.0f, 10.0f, -10.0f, 10.0f, 1.0f, 7.5f) * glm::lookAt(lamp, glm::vec3(0), glm::vec3(0, 1, 0));
-    gl_.Enable(GL_DEPTH_TEST);
-    gl_.DepthFunc(GL_LESS);
-    gl_.Viewport(0, 0, resolution, resolution);
-    gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-    gl_.Clear(GL_DEPTH_BUFFER_BIT);
-    gl_.UseProgram(depth_.program.id());
-    depth_.uniforms.set("u_world_to_light", world_to_light);
-    demo_.draw(gl_, depth_.uniforms);
-
-    begin_picture(gl_, frame, scene());
-    Program& program = shadow_factor ? factor_ : colour_;
-    set_common(gl_, program, frame, demo_);
-    program.uniforms.set("u_world_to_light", world_to_light);
-    program.uniforms.set("u_to_sun", -glm::normalize(scene().lights.front().direction));
-    gl_.ActiveTexture(GL_TEXTURE1);
-    gl_.BindTexture(GL_TEXTURE_2D, map_.id());
-    gl_.ActiveTexture(GL_TEXTURE0);
-    demo_.draw(gl_, program.uniforms);
-    check_gl_error(gl_, "drawing the demo");
-  }
+      : TwoPassDemo(gl, make_cubes_scene(), make_map(gl), build(gl, depth_vertex, "void main() {}\n"),
+                    lit_vertex(to_map_declarations, to_map), sun_shadow) {}
 
  private:
-  Gl& gl_;
-  DemoScene demo_;
-  Program depth_, colour_, factor_;
-  GlTexture map_;
-  GlFramebuffer framebuffer_;
+  void set_depth_light(Uniforms& uniforms) override { uniforms.set("u_world_to_light", world_to_light()); }
+
+  void set_light(Uniforms& uniforms) override {
+    uniforms.set("u_world_to_light", world_to_light());
+    uniforms.set("u_to_sun", -glm::normalize(scene().lights.front().direction));
+  }
+
+  static glm::mat4 world_to_light() {
+    return glm::ortho(-10.0f, 10.0f, -10.0f, 10.0f, 1.0f, 7.5f) * glm::lookAt(lamp, glm::vec3(0), glm::vec3(0, 1, 0));
+  }
 };
 
 }  // namespace
