@@ -13,4 +13,7 @@ Image::Image(int width, int height, Rgba fill) : width_(width), height_(height) 
   pixels_.assign(std::size_t(width) * height, fill);
 }
 
+Image::Image(const Image&) = default;
+Image& Image::operator=(const Image&) = default;
+
 }  // namespace atelier

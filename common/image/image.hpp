@@ -23,6 +23,12 @@ class Image {
   /// Throws atelier::Error where a side is below 1 or above `max_side`.
   Image(int width, int height, Rgba fill = {0, 0, 0, 1});
 
+  Image(const Image&);  // in image.cpp, so that the loop over pixels is optimised whoever copies
+  Image& operator=(const Image&);
+  Image(Image&&) noexcept = default;
+  Image& operator=(Image&&) noexcept = default;
+  ~Image() = default;
+
   int width() const { return width_; }
   int height() const { return height_; }
   bool empty() const { return pixels_.empty(); }
