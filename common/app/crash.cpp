@@ -39,7 +39,7 @@ std::string_view step_of(std::string_view library) {
   return library.substr(library.rfind('/') + 1);
 }
 
-void tell_where(int number) {
+[[maybe_unused]] void tell_where(int number) {
   void* frames[most_frames];
   const int count = ::backtrace(frames, most_frames);
   for (int i = 0; i < count; ++i) {
