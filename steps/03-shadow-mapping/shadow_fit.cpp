@@ -161,6 +161,24 @@ std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> 
   return shadow_mapping::Sphere{glm::vec3(centre), float(radius)};
 }
 
+float radians_across(const shadow_mapping::Sphere& sphere, const glm::vec3& from) {
+  const float distance = glm::distance(sphere.centre, from);
+  return distance > sphere.radius ? std::asin(sphere.radius / distance) : 4.0f;
+}
+
+bool shines_past(const Light& spot, const glm::vec3& position, const shadow_mapping::Sphere& sphere) {
+  const glm::vec3 way = sphere.centre - position, axis = glm::normalize(spot.direction);
+  const float off = std::atan2(glm::length(glm::cross(axis, way)), glm::dot(axis, way));
+  return off > spot.outer_angle + radians_across(sphere, position);
+}
+
+float nearest_depth(std::span<const glm::dvec3> points, const shadow_mapping::LightFrustum& frustum) {
+  double nearest = frustum.far;
+  for (const glm::dvec3& point : points)
+    nearest = std::min(nearest, glm::dot(point - glm::dvec3(frustum.eye), glm::dvec3(frustum.direction)));
+  return float(nearest);
+}
+
 std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& direction,
                                                             std::span<const glm::dvec3> casters,
                                                             std::span<const glm::dvec3> receivers) {

@@ -35,6 +35,15 @@ bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside);
 /// A sphere around the middle of the points' bounding box that holds them all; none around no points.
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points);
 
+/// Half the angle that a sphere takes up, seen from a point: radians. 4, more than any angle, from within it.
+float radians_across(const shadow_mapping::Sphere& sphere, const glm::vec3& from);
+
+/// Whether the cone of a spot that stands at `position` misses all of a sphere.
+bool shines_past(const Light& spot, const glm::vec3& position, const shadow_mapping::Sphere& sphere);
+
+/// Of the points, metres along the frustum's direction from its eye; negative behind it.
+float nearest_depth(std::span<const glm::dvec3> points, const shadow_mapping::LightFrustum& frustum);
+
 /// The box of a sun around what casters and receivers have in common, seen along its light: a shadow falls nowhere
 /// else. The student's fit_sun, with planes that run from the nearest caster to the farthest receiver. None where they
 /// have nothing in common.

@@ -132,26 +132,6 @@ void append(std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& more
   points.insert(points.end(), more.begin(), more.end());
 }
 
-float radians_across(const Sphere& sphere, const glm::vec3& from) {
-  const float distance = glm::distance(sphere.centre, from);
-  return distance > sphere.radius ? std::asin(sphere.radius / distance) : 4.0f;
-}
-
-/// Whether a spot's cone misses all of a sphere.
-bool shines_past(const Light& spot, const glm::vec3& position, const Sphere& sphere) {
-  const glm::vec3 way = sphere.centre - position, axis = glm::normalize(spot.direction);
-  const float off = std::atan2(glm::length(glm::cross(axis, way)), glm::dot(axis, way));
-  return off > spot.outer_angle + radians_across(sphere, position);
-}
-
-/// Of the points, along the frustum's direction from its eye; negative behind it.
-float nearest_depth(std::span<const glm::dvec3> points, const LightFrustum& frustum) {
-  double nearest = frustum.far;
-  for (const glm::dvec3& point : points)
-    nearest = std::min(nearest, glm::dot(point - glm::dvec3(frustum.eye), glm::dvec3(frustum.direction)));
-  return float(nearest);
-}
-
 }  // namespace
 
 /// The points that the fits are made from, and the casters.
