@@ -16,6 +16,11 @@ namespace {
 
 // In a handler of such a signal nothing may be allocated or locked: the crash may have happened in malloc.
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool told_by_sanitizer = true;
+#else
+constexpr bool told_by_sanitizer = false;
+#endif
 constexpr int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL};
 constexpr std::size_t alternate_stack = 64 << 10;  // bytes; 8 kB would do for backtrace
 constexpr int most_frames = 64;                    // an endless recursion has thousands, and all alike
@@ -39,7 +44,7 @@ std::string_view step_of(std::string_view library) {
   return library.substr(library.rfind('/') + 1);
 }
 
-[[maybe_unused]] void tell_where(int number) {
+void tell_where(int number) {
   void* frames[most_frames];
   const int count = ::backtrace(frames, most_frames);
   for (int i = 0; i < count; ++i) {
@@ -80,7 +85,7 @@ std::size_t qualified_name(const char* mangled, char* name, std::size_t room) {
 }
 
 void name_function_on_crash() {
-#if !defined(__SANITIZE_ADDRESS__)
+  if (told_by_sanitizer) return;
   void* none[1];
   ::backtrace(none, 1);  // its first call loads a library, which no handler may do
   static std::array<char, alternate_stack> room;
@@ -90,7 +95,6 @@ void name_function_on_crash() {
   action.sa_handler = tell_where;
   action.sa_flags = int(SA_ONSTACK | SA_RESETHAND);
   for (const int number : crashes) ::sigaction(number, &action, nullptr);
-#endif
 }
 
 }  // namespace atelier
