@@ -283,8 +283,8 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .fallback = 75.0,
        .low = 0,
        .high = 89.9,
-       .help = "of the scene 'grazing': 90 less this is the sun's height in degrees, seen from the side; the light meets "
-               "the floor up to 1.3 degrees flatter"},
+       .help = "of the scene 'grazing': 90 less this is the sun's height in degrees, seen from the side; the light "
+               "meets the floor up to 1.3 degrees flatter"},
       {.name = "grazing.roll",
        .fallback = 0.0,
        .low = -180,

@@ -1,6 +1,6 @@
 // 03-shadow-mapping: the contract. You write shadow_mapping.cpp (the map and the light's matrices), depth_pass.glsl
-// (how the map is drawn), shadow_mapping.glsl (how it is looked up) and some lines of choices.txt. The GLSL functions are
-// declared in this file as comments; their types and uniforms are in shadows.glsl.
+// (how the map is drawn), shadow_mapping.glsl (how it is looked up) and some lines of choices.txt. The GLSL functions
+// are declared in this file as comments; their types and uniforms are in shadows.glsl.
 //
 // The idea (Williams, "Casting curved shadows on curved surfaces", 1978): what a light does not see is in its shadow.
 // So the scene is drawn once from the light, depth alone; afterwards every point that is drawn for the eye is asked
@@ -72,17 +72,18 @@
 //   float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light)
 //       The share of the light that reaches a point: 1 lit, 0 in shadow. `normal` is of unit length, or zero. Bias by
 //       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none,
-//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS is not 0 its z is lowered by u_depth_step, what rounding may
-//       part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and with PCSS the slope is plane_slope of the
-//       coordinate's derivatives, and z is lowered by u_bias * RESIDUAL *
-//       (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that stands for the
-//       point. Otherwise the slope is zero.
+//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS
+//       is not 0 its z is lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined.
+//       With BIAS == 4 and with PCSS the slope is plane_slope of the coordinate's derivatives, and z is lowered by
+//       u_bias * RESIDUAL * (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that
+//       stands for the point. Otherwise the slope is zero.
 //   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
 //       Step 02's shade with shadows: ambient light arrives everywhere; of each light arrives what visible_from_point,
 //       visible_from_spot or visible_from_sun lets through. They are declared before your file, each as
 //         float visible_from_point(int light, vec3 position, vec3 normal, vec3 to_light)
 //       with the light's place in u_point_lights (u_spot_lights, u_directional_lights) and a normal of unit length or
-//       zero. They take derivatives: call them for every light, before any branch in which neighbouring pixels may part.
+//       zero. They take derivatives: call them for every light, before any branch in which neighbouring pixels may
+//       part.
 #pragma once
 
 #include "02-blinn-phong/blinn_phong.hpp"
