@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using judge::CaseResult;
 using judge::JudgedCase;
 using judge::StepResult;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct MistakeAudit {
   std::string step, name;
@@ -191,12 +191,12 @@ bool falls_short(const VariantAudit& v) {
   return !v.passed;
 }
 
-Json or_null(const std::optional<std::string>& text) {
-  return text ? Json(*text) : Json(nullptr);
+OrderedJson or_null(const std::optional<std::string>& text) {
+  return text ? OrderedJson(*text) : OrderedJson(nullptr);
 }
 
 std::string to_json(const Audit& audit) {
-  Json mistakes = Json::array(), variants = Json::array();
+  OrderedJson mistakes = OrderedJson::array(), variants = OrderedJson::array();
   for (const MistakeAudit& m : audit.mistakes)
     mistakes.push_back({{"step", m.step},
                         {"name", m.name},
@@ -208,7 +208,8 @@ std::string to_json(const Audit& audit) {
                         {"trouble", m.trouble}});
   for (const VariantAudit& v : audit.variants)
     variants.push_back({{"step", v.step}, {"name", v.name}, {"passed", v.passed}, {"trouble", v.trouble}});
-  return Json{{"mistakes", mistakes}, {"variants", variants}}.dump(2, ' ', false, Json::error_handler_t::replace) +
+  return OrderedJson{{"mistakes", mistakes}, {"variants", variants}}.dump(2, ' ', false,
+                                                                          OrderedJson::error_handler_t::replace) +
          "\n";
 }
 

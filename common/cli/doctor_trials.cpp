@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::chrono::seconds limit{5};  ///< a context takes 0.02 s, a step's list 0.05 s
+constexpr std::chrono::seconds trial_limit{5};  ///< a context takes 0.02 s, a step's list 0.05 s
 
 /// The last line of what a program said, for a sentence.
 std::string last_line(std::string text) {
@@ -26,7 +26,7 @@ std::string last_line(std::string text) {
 }
 
 std::string in_words(const Finished& finished) {
-  if (finished.timed_out) return fmt::format("it did not end within {} s", limit.count());
+  if (finished.timed_out) return fmt::format("it did not end within {} s", trial_limit.count());
   if (finished.signal != 0) return signal_name(finished.signal);
   const std::string last = last_line(finished.output);
   return last.empty() ? fmt::format("it ended with status {}", finished.exit_status) : last;
@@ -65,7 +65,7 @@ ContextTrial try_context_here(const std::string& kind) {
 
 ContextTrials try_contexts(const ProjectFolders& folders) {
   Command command{.arguments = {(folders.build / "bin" / "atelier").string(), "doctor", "--try", ""},
-                  .time_limit = limit};
+                  .time_limit = trial_limit};
   const auto result_of = [&](const char* kind) {
     command.arguments.back() = kind;
     return read_trial(run_process(command));
@@ -89,8 +89,9 @@ bool tells_of_writes(const fs::path& folder) {
 SandboxTrial try_sandbox() {
   SandboxTrial trial{.as_root = ::geteuid() == 0};
   try {
-    const Finished finished = run_process(
-        {.arguments = {"bwrap", "--unshare-all", "--ro-bind", "/", "/", "--dev", "/dev", "true"}, .time_limit = limit});
+    const Finished finished =
+        run_process({.arguments = {"bwrap", "--unshare-all", "--ro-bind", "/", "/", "--dev", "/dev", "true"},
+                     .time_limit = trial_limit});
     trial.installed = true;
     trial.works = finished.ok();
     if (!trial.works) trial.words = in_words(finished), trial.setting = setting_in_the_way();
@@ -106,7 +107,7 @@ std::vector<StepTrial> try_steps(const ProjectFolders& folders, const std::vecto
     StepTrial trial{.name = step.name, .built = fs::exists(folders.program(step.name))};
     if (trial.built) {
       const Finished finished =
-          run_process({.arguments = {folders.program(step.name).string(), "--list"}, .time_limit = limit});
+          run_process({.arguments = {folders.program(step.name).string(), "--list"}, .time_limit = trial_limit});
       if (!finished.ok()) trial.failure = in_words(finished);
     }
     trials.push_back(trial);

@@ -13,7 +13,7 @@ namespace {
 termios usual, bare;                // how the terminal was, and how it is while we listen
 bool ours = false;                  // whether it is as `bare` says
 volatile sig_atomic_t leaving = 0;  // the signal that has asked us to end
-constexpr int ends[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
+constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 // In these handlers: only calls that POSIX calls async-signal-safe; tcsetattr is among them.
 
@@ -70,7 +70,7 @@ Keyboard::Keyboard() {
   bare.c_lflag &= ~tcflag_t(ICANON | ECHO);
   bare.c_cc[VMIN] = 0, bare.c_cc[VTIME] = 0;
   ours = true;
-  for (const int number : ends) on_signal(number, leave);
+  for (const int number : ending_signals) on_signal(number, leave);
   on_signal(SIGTSTP, leave_at_once);
   on_signal(SIGCONT, come_back);
   ::tcsetattr(STDIN_FILENO, TCSADRAIN, &bare);
@@ -80,7 +80,7 @@ Keyboard::~Keyboard() {
   if (!ours) return;
   give_back();
   ours = false;
-  for (const int number : ends) on_signal(number, SIG_DFL);
+  for (const int number : ending_signals) on_signal(number, SIG_DFL);
   on_signal(SIGTSTP, SIG_DFL);
   on_signal(SIGCONT, SIG_DFL);
   if (leaving != 0) ::raise(leaving);  // whoever waits for us is to know what ended us

@@ -14,16 +14,16 @@ namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-struct Row {
+struct ListedStep {
   Standing standing;
   std::vector<SkeletonState> states;                     ///< of its files
   bool program = false, mine = false, solution = false;  ///< what is built
 };
 
-Row describe(const ProjectFolders& folders, const Standing& standing, const SkeletonRecord& record) {
-  Row row{.standing = standing, .states = {}};
+ListedStep describe(const ProjectFolders& folders, const Standing& standing, const SkeletonRecord& record) {
+  ListedStep row{.standing = standing, .states = {}};
   const CourseStep& step = standing.step;
   for (const std::string& file : step.files)
     row.states.push_back(skeleton_state(folders.steps(), record, step.name + "/" + file));
@@ -34,26 +34,26 @@ Row describe(const ProjectFolders& folders, const Standing& standing, const Skel
   return row;
 }
 
-std::string files_in_words(const Row& row) {
+std::string files_in_words(const ListedStep& row) {
   std::vector<std::string> words;
   for (std::size_t i = 0; i < row.states.size(); ++i)
     words.push_back(fmt::format("{} ({})", row.standing.step.files[i], to_string(row.states[i])));
   return join(words);
 }
 
-void print_table(const std::vector<Row>& rows) {
+void print_table(const std::vector<ListedStep>& rows) {
   fmt::print("{:<20} {:>5} {:>6}  {:<24} {}\n", "step", "cases", "points", "you", "title");
-  for (const Row& row : rows) {
+  for (const ListedStep& row : rows) {
     const Standing& s = row.standing;
     fmt::print("{:<20} {:>5} {:>6g}  {:<24} {}\n", s.step.name, s.cases, s.max_score, in_words(s), s.step.title);
     fmt::print("{:<33}  {}{}\n", "", files_in_words(row), row.program ? "" : "; its program is not built");
   }
 }
 
-Json to_json(const std::vector<Row>& rows) {
-  Json steps = Json::array();
-  for (const Row& row : rows) {
-    Json files = Json::array();
+OrderedJson to_json(const std::vector<ListedStep>& rows) {
+  OrderedJson steps = OrderedJson::array();
+  for (const ListedStep& row : rows) {
+    OrderedJson files = OrderedJson::array();
     for (std::size_t i = 0; i < row.states.size(); ++i)
       files.push_back({{"name", row.standing.step.files[i]}, {"state", to_string(row.states[i])}});
     steps.push_back({{"step", row.standing.step.name},
@@ -73,7 +73,7 @@ Json to_json(const std::vector<Row>& rows) {
 int run_list(const ListOptions& options) {
   const ProjectFolders folders = project_folders();
   const SkeletonRecord record = read_skeleton_record(folders.steps());
-  std::vector<Row> rows;
+  std::vector<ListedStep> rows;
   for (const Standing& standing :
        standings(folders, read_course(folders.step_flags()), read_progress(folders.progress())))
     rows.push_back(describe(folders, standing, record));

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using judge::Answer;
 using judge::JudgedCase;
 
-struct Row {
+struct ReferenceRow {
   std::string step, name;
   std::uintmax_t bytes = 0;            ///< of the reference itself
   std::optional<std::string> nearest;  ///< the claimed mistake with the least margin
@@ -119,8 +119,9 @@ bool would_change(const fs::path& made, const fs::path& there, const JudgedCase&
 
 /// Makes the reference in a folder of its own, and moves it only where it says something new: a run that changes
 /// nothing leaves every byte, and so the repository, as it was.
-Row make_one(const fs::path& folder, const JudgedCase& c, const judge::ReferenceMaterial& material, bool check) {
-  Row row{.name = c.ask.name};
+ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::ReferenceMaterial& material,
+                      bool check) {
+  ReferenceRow row{.name = c.ask.name};
   const TemporaryFolder fresh("atelier-reference");
   try {
     const judge::MadeReference made = judge::make_reference(fresh.path(), c, material);
@@ -137,8 +138,8 @@ Row make_one(const fs::path& folder, const JudgedCase& c, const judge::Reference
   return row;
 }
 
-std::vector<Row> make_step(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
-                           const judge::Environment& environment) {
+std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseStep& step,
+                                    const ReferenceOptions& options, const judge::Environment& environment) {
   const grade::StepJudge judge(
       {.cases = folders.case_file(step.name), .mistakes = folders.mistakes_file(step.name), .reference_cache = {}},
       options.cases);
@@ -146,7 +147,7 @@ std::vector<Row> make_step(const ProjectFolders& folders, const CourseStep& step
   const auto mistakes = fs::exists(mistakes_file) ? judge::read_mistakes(mistakes_file) : std::vector<judge::Mistake>{};
   const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases());
 
-  std::vector<Row> rows(judge.cases().size());
+  std::vector<ReferenceRow> rows(judge.cases().size());
   for_each_parallel(rows.size(), worker_threads(), [&](std::size_t i) {
     rows[i] =
         make_one(folders.cases() / step.name, judge.cases()[i], material_of(drawn, i, environment), options.check);
@@ -157,19 +158,19 @@ std::vector<Row> make_step(const ProjectFolders& folders, const CourseStep& step
 
 // --- What is said ---
 
-void print_table(const std::vector<Row>& rows) {
+void print_table(const std::vector<ReferenceRow>& rows) {
   fmt::print("{:<16} {:<32} {:>9}  {:<28} {:>8}  {}\n", "step", "case", "bytes", "nearest claimed mistake", "margin",
              "state");
-  for (const Row& row : rows) {
+  for (const ReferenceRow& row : rows) {
     fmt::print("{:<16} {:<32} {:>9}  {:<28} {:>8}  {}\n", row.step, row.name, row.bytes, row.nearest.value_or("-"),
                row.nearest ? fmt::format("{:.2f}", row.margin) : "-", row.state);
     if (!row.trouble.empty()) fmt::print("{:<16}   ! {}\n", "", row.trouble);
   }
 }
 
-void print_json(const std::vector<Row>& rows) {
+void print_json(const std::vector<ReferenceRow>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const Row& row : rows)
+  for (const ReferenceRow& row : rows)
     list.push_back({{"step", row.step},
                     {"case", row.name},
                     {"bytes", row.bytes},
@@ -188,7 +189,7 @@ int run_reference(const ReferenceOptions& options) {
     throw Error(
         "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
   const judge::Environment environment = grade::describe_environment("", folders.step_flags(), folders.root);
-  std::vector<Row> rows;
+  std::vector<ReferenceRow> rows;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {
     const auto more = make_step(folders, step, options, environment);
     rows.insert(rows.end(), more.begin(), more.end());
@@ -196,7 +197,7 @@ int run_reference(const ReferenceOptions& options) {
   options.json ? print_json(rows) : print_table(rows);
 
   const auto any = [&](const char* state) {
-    return std::any_of(rows.begin(), rows.end(), [&](const Row& row) { return row.state == state; });
+    return std::any_of(rows.begin(), rows.end(), [&](const ReferenceRow& row) { return row.state == state; });
   };
   if (any("refused")) throw Error("some references were refused, and stay as they were: the table says why");
   return any("would change") ? exit_failed : exit_ok;

@@ -21,7 +21,7 @@ namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The project's files as git lists them; nothing where the project is no working tree, or there is no git.
 std::optional<std::set<std::string>> files_of_git(const fs::path& root) {
@@ -191,8 +191,8 @@ class Packer {
     if (!fs::exists(file)) return;
     std::set<std::string> functions;
     for (const judge::JudgedCase& c : visible.cases) functions.insert(c.functions.begin(), c.functions.end());
-    Json hints = Json::parse(read_file(file));
-    Json kept = Json::object();
+    OrderedJson hints = OrderedJson::parse(read_file(file));
+    OrderedJson kept = OrderedJson::object();
     for (const auto& [function, texts] : hints.at("functions").items())
       if (functions.contains(function)) kept[function] = texts;
     hints["functions"] = std::move(kept);
@@ -204,7 +204,7 @@ class Packer {
     const fs::path file = folders_.mistakes_file(step.name);
     std::set<std::string> names;
     if (!fs::exists(file)) return names;
-    Json list = Json::array();
+    OrderedJson list = OrderedJson::array();
     for (const judge::Mistake& mistake : judge::read_mistakes(file, judge::Patches::optional)) {
       names.insert(mistake.name);
       list.push_back(

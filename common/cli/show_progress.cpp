@@ -15,7 +15,7 @@
 namespace atelier {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using judge::points_text;
 
 constexpr int bar_width = 20;
@@ -56,8 +56,8 @@ void print_table(const std::vector<Standing>& all, bool unicode) {
     fmt::print("\nNext: {}  {} (./atelier next)\n", next->step.name, next->step.title);
 }
 
-Json to_json(const std::vector<Standing>& all) {
-  Json steps = Json::array();
+OrderedJson to_json(const std::vector<Standing>& all) {
+  OrderedJson steps = OrderedJson::array();
   for (const Standing& standing : all)
     steps.push_back({{"step", standing.step.name},
                      {"title", standing.step.title},
@@ -71,7 +71,7 @@ Json to_json(const std::vector<Standing>& all) {
                      {"cases", standing.cases},
                      {"hints", standing.hints}});
   const Standing* next = next_step(all);
-  return {{"steps", steps}, {"next", next == nullptr ? Json(nullptr) : Json(next->step.name)}};
+  return {{"steps", steps}, {"next", next == nullptr ? OrderedJson(nullptr) : OrderedJson(next->step.name)}};
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t worst_shown = 20;
 
-struct Row {
+struct StabilityRow {
   std::string table, function, extreme, demand, unit, reason, words;
   double error = 0, bound = 0;
   bool held = false;
@@ -35,7 +35,7 @@ struct Row {
   double used() const { return bound > 0 ? error / bound : error > 0 || !held ? infinite : 0; }
 };
 
-Row row_of(const std::string& table, const Json& json) {
+StabilityRow row_of(const std::string& table, const OrderedJson& json) {
   return {.table = table,
           .function = json.at("function"),
           .extreme = json.at("extreme"),
@@ -62,7 +62,7 @@ fs::path program_of(const ProjectFolders& folders, const std::string& table) {
 }
 
 /// What the table's program has written.
-Json try_table(const ProjectFolders& folders, const std::string& table, const fs::path& out) {
+OrderedJson try_table(const ProjectFolders& folders, const std::string& table, const fs::path& out) {
   const fs::path file = out / (table + ".json");
   std::error_code none;
   fs::remove(file, none);  // yesterday's must not be taken for today's
@@ -72,49 +72,49 @@ Json try_table(const ProjectFolders& folders, const std::string& table, const fs
   if (!finished.ok())
     throw Error(fmt::format("stability of {}: {}", table,
                             finished.signal ? signal_name(finished.signal) : finished.output.substr(0, 500)));
-  return Json::parse(read_file(file));
+  return OrderedJson::parse(read_file(file));
 }
 
-void write_rows(const std::vector<Row>& rows, const fs::path& file) {
+void write_rows(const std::vector<StabilityRow>& rows, const fs::path& file) {
   std::string csv = "table,function,extreme,demand,error,bound,unit,held,reason,words\n";
-  for (const Row& r : rows)
+  for (const StabilityRow& r : rows)
     csv +=
         fmt::format("{},{},{},{},{},{},{},{},{},{}\n", csv_field(r.table), csv_field(r.function), csv_field(r.extreme),
                     r.demand, r.error, r.bound, csv_field(r.unit), r.held, csv_field(r.reason), csv_field(r.words));
   write_file(file, csv);
 }
 
-measure::Plot plot_of(const Json& sweep) {
+measure::Plot plot_of(const OrderedJson& sweep) {
   const auto scale = [&](const char* member) {
     return sweep.at(member) ? measure::Scale::logarithmic : measure::Scale::linear;
   };
   measure::Plot plot{.title = sweep.at("title"),
                      .x = {.label = sweep.at("x"), .scale = scale("log_x")},
                      .y = {.label = sweep.at("y"), .scale = scale("log_y")}};
-  for (const Json& curve : sweep.at("curves")) {
+  for (const OrderedJson& curve : sweep.at("curves")) {
     measure::Curve drawn{.title = curve.at("name")};
-    for (const Json& p : curve.at("points")) drawn.points.emplace_back(p.at(0), p.at(1));
+    for (const OrderedJson& p : curve.at("points")) drawn.points.emplace_back(p.at(0), p.at(1));
     plot.curves.push_back(std::move(drawn));
   }
   return plot;
 }
 
-std::string sweep_as_csv(const Json& sweep) {
+std::string sweep_as_csv(const OrderedJson& sweep) {
   std::string csv = fmt::format("curve,{},{}\n", csv_field(sweep.at("x")), csv_field(sweep.at("y")));
-  for (const Json& curve : sweep.at("curves"))
-    for (const Json& p : curve.at("points"))
+  for (const OrderedJson& curve : sweep.at("curves"))
+    for (const OrderedJson& p : curve.at("points"))
       csv += fmt::format("{},{},{}\n", csv_field(curve.at("name")), p.at(0).get<double>(), p.at(1).get<double>());
   return csv;
 }
 
 /// The sweep as a picture, where this machine can draw one, and as numbers.
-void write_sweep(const Json& sweep, const fs::path& out, bool with_plot) {
+void write_sweep(const OrderedJson& sweep, const fs::path& out, bool with_plot) {
   const std::string name = sweep.at("name");
   write_file(out / (name + ".csv"), sweep_as_csv(sweep));
   if (with_plot) write_file(out / (name + ".svg"), measure::plot_as_svg(plot_of(sweep)));
 }
 
-void print_row(const Row& row) {
+void print_row(const StabilityRow& row) {
   const std::string used = std::isinf(row.used()) ? "-" : fmt::format("{:.3f}", row.used());
   const std::string measured =
       row.bound > 0 ? fmt::format("{:.2g} of {:.2g} {}", row.error, row.bound, row.unit) : row.demand;
@@ -125,10 +125,12 @@ void print_row(const Row& row) {
   if (!row.words.empty()) fmt::print("              it threw: {}\n", row.words);
 }
 
-void print_rows(std::vector<Row> rows, bool all) {
-  std::stable_sort(rows.begin(), rows.end(),
-                   [](const Row& a, const Row& b) { return a.held != b.held ? !a.held : a.used() > b.used(); });
-  const auto broken = std::size_t(std::count_if(rows.begin(), rows.end(), [](const Row& r) { return !r.held; }));
+void print_rows(std::vector<StabilityRow> rows, bool all) {
+  std::stable_sort(rows.begin(), rows.end(), [](const StabilityRow& a, const StabilityRow& b) {
+    return a.held != b.held ? !a.held : a.used() > b.used();
+  });
+  const auto broken =
+      std::size_t(std::count_if(rows.begin(), rows.end(), [](const StabilityRow& r) { return !r.held; }));
   const std::size_t shown = all ? rows.size() : std::min(rows.size(), broken + worst_shown);
   fmt::print("{:>10}  {:<30} {:<58} {}\n", "of bound", "function", "extreme", "error");
   for (std::size_t i = 0; i < shown; ++i) print_row(rows[i]);
@@ -152,24 +154,24 @@ int run_stability(const StabilityOptions& options) {
 
   fs::create_directories(out);
   const bool with_plots = measure::can_plot();
-  std::vector<Row> rows;
-  Json answers = Json::array();
+  std::vector<StabilityRow> rows;
+  OrderedJson answers = OrderedJson::array();
   for (const std::string& table : tables) {
-    const Json answer = try_table(folders, table, out);
-    for (const Json& row : answer.at("rows")) rows.push_back(row_of(table, row));
-    for (const Json& sweep : answer.at("sweeps")) write_sweep(sweep, out, with_plots);
+    const OrderedJson answer = try_table(folders, table, out);
+    for (const OrderedJson& row : answer.at("rows")) rows.push_back(row_of(table, row));
+    for (const OrderedJson& sweep : answer.at("sweeps")) write_sweep(sweep, out, with_plots);
     answers.push_back(answer);
   }
   write_rows(rows, out / "rows.csv");
 
   if (options.json) {
-    fmt::print("{}\n", Json{{"tables", answers}}.dump(2));
+    fmt::print("{}\n", OrderedJson{{"tables", answers}}.dump(2));
   } else {
     print_rows(rows, options.all);
     fmt::print("All rows{} are in {}\n",
                with_plots ? " and the plots" : " and, for want of gnuplot, the plots' numbers", out.string());
   }
-  return std::all_of(rows.begin(), rows.end(), [](const Row& r) { return r.held; }) ? exit_ok : exit_failed;
+  return std::all_of(rows.begin(), rows.end(), [](const StabilityRow& r) { return r.held; }) ? exit_ok : exit_failed;
 }
 
 }  // namespace atelier

@@ -5,7 +5,7 @@
 namespace atelier {
 namespace {
 
-constexpr int ends[] = {SIGINT, SIGTERM, SIGHUP};
+constexpr int stopping_signals[] = {SIGINT, SIGTERM, SIGHUP};
 volatile sig_atomic_t taken = 0;
 
 void take(int number) {
@@ -23,14 +23,14 @@ StopOnSignal::StopOnSignal() {
   struct sigaction action {};
   action.sa_handler = take;
   action.sa_flags = SA_RESTART;
-  for (std::size_t i = 0; i < std::size(ends); ++i) {
-    ::sigaction(ends[i], nullptr, &before_[i]);
-    if (before_[i].sa_handler != SIG_IGN) ::sigaction(ends[i], &action, nullptr);
+  for (std::size_t i = 0; i < std::size(stopping_signals); ++i) {
+    ::sigaction(stopping_signals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) ::sigaction(stopping_signals[i], &action, nullptr);
   }
 }
 
 StopOnSignal::~StopOnSignal() {
-  for (std::size_t i = 0; i < std::size(ends); ++i) ::sigaction(ends[i], &before_[i], nullptr);
+  for (std::size_t i = 0; i < std::size(stopping_signals); ++i) ::sigaction(stopping_signals[i], &before_[i], nullptr);
   if (taken != 0) ::raise(taken);
 }
 

@@ -11,15 +11,15 @@ namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The file without the cases named in `hidden`: as it stands where none is, so that its layout stays.
 std::string without_hidden(const std::string& text, const std::set<std::string>& hidden) {
   if (text.find("\"hidden\"") == text.npos) return text;
-  Json document = Json::parse(text);
+  OrderedJson document = OrderedJson::parse(text);
   if (document.contains("defaults")) document["defaults"].erase("hidden");
-  Json visible = Json::array();
-  for (Json& object : document["cases"]) {
+  OrderedJson visible = OrderedJson::array();
+  for (OrderedJson& object : document["cases"]) {
     if (hidden.contains(object["name"].get<std::string>())) continue;
     object.erase("hidden");
     visible.push_back(std::move(object));

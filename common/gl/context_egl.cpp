@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "gl/context_kinds.hpp"
+#include "gl/driver_library.hpp"
 
 namespace atelier {
 namespace {
@@ -30,28 +31,22 @@ struct Egl {
   decltype(&eglReleaseThread) release_thread = nullptr;
 };
 
-template <class Function>
-void find(Function& function, void* library, const char* name) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  if (!function) throw Error(std::string("the installed EGL lacks ") + name + ": EGL 1.4 or newer is needed");
-}
-
 const Egl& egl() {
   static const Egl functions = [] {
-    void* library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
-    if (!library)
+    const DriverLibrary library = {dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL), "EGL", "EGL 1.4"};
+    if (!library.handle)
       throw Error("EGL is not installed: install the packages libegl1 and libegl-mesa0, or use --context osmesa");
     Egl found;
-    find(found.bind_api, library, "eglBindAPI");
-    find(found.choose_config, library, "eglChooseConfig");
-    find(found.create_context, library, "eglCreateContext");
-    find(found.destroy_context, library, "eglDestroyContext");
-    find(found.get_error, library, "eglGetError");
-    find(found.function_address, library, "eglGetProcAddress");
-    find(found.initialize, library, "eglInitialize");
-    find(found.make_current, library, "eglMakeCurrent");
-    find(found.query_string, library, "eglQueryString");
-    find(found.release_thread, library, "eglReleaseThread");
+    library.find(found.bind_api, "eglBindAPI");
+    library.find(found.choose_config, "eglChooseConfig");
+    library.find(found.create_context, "eglCreateContext");
+    library.find(found.destroy_context, "eglDestroyContext");
+    library.find(found.get_error, "eglGetError");
+    library.find(found.function_address, "eglGetProcAddress");
+    library.find(found.initialize, "eglInitialize");
+    library.find(found.make_current, "eglMakeCurrent");
+    library.find(found.query_string, "eglQueryString");
+    library.find(found.release_thread, "eglReleaseThread");
     return found;
   }();
   return functions;

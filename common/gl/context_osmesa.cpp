@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "gl/context_kinds.hpp"
+#include "gl/driver_library.hpp"
 
 namespace atelier {
 namespace {
@@ -32,21 +33,15 @@ void* open_library() {
   throw Error("OSMesa, OpenGL in memory, is not installed: install the package libosmesa6, or use --context egl");
 }
 
-template <class Function>
-void find(Function& function, void* library, const char* name) {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  if (!function) throw Error(std::string("the installed OSMesa lacks ") + name + ": Mesa 12 or newer is needed");
-}
-
 /// The library, opened at the first call: a program that draws elsewhere never loads it.
 const OsMesa& osmesa() {
   static const OsMesa functions = [] {
-    void* library = open_library();  // stays open: a driver may not be unloaded under its own threads
+    const DriverLibrary library = {open_library(), "OSMesa", "Mesa 12"};
     OsMesa found;
-    find(found.create_context, library, "OSMesaCreateContextAttribs");
-    find(found.destroy_context, library, "OSMesaDestroyContext");
-    find(found.make_current, library, "OSMesaMakeCurrent");
-    find(found.function_address, library, "OSMesaGetProcAddress");
+    library.find(found.create_context, "OSMesaCreateContextAttribs");
+    library.find(found.destroy_context, "OSMesaDestroyContext");
+    library.find(found.make_current, "OSMesaMakeCurrent");
+    library.find(found.function_address, "OSMesaGetProcAddress");
     return found;
   }();
   return functions;

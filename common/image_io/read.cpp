@@ -20,10 +20,10 @@ namespace {
 using image_io::Samples;
 
 /// By a file's first bytes; `name` is OpenImageIO's.
-struct Format {
+struct FormatMark {
   std::string_view mark, name;
 };
-constexpr Format formats[] = {
+constexpr FormatMark format_marks[] = {
     {"\x89PNG\r\n\x1a\n", "png"},
     {"\xff\xd8\xff", "jpeg"},
     {"\x76\x2f\x31\x01", "openexr"},
@@ -37,7 +37,7 @@ constexpr Format formats[] = {
 };
 
 std::string format_of(std::string_view bytes, const std::string& name) {
-  for (const Format& format : formats)
+  for (const FormatMark& format : format_marks)
     if (bytes.starts_with(format.mark)) return std::string(format.name);
   if (bytes.starts_with("RIFF") && bytes.substr(std::min<std::size_t>(bytes.size(), 8)).starts_with("WEBP"))
     return "webp";

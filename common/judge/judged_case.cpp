@@ -19,7 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t max_file = 16 << 20;  // bytes of a case file
 constexpr double max_points = 1000;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// One case object with the place that its error sentences start with.
 struct Reader {
@@ -142,7 +141,7 @@ Tolerance read_tolerance(const Reader& r) {
   const Reader t{*object, r.at("tolerance")};
   strict_json::refuse_unknown(*object, {"absolute", "relative", "ulp", "reason"}, t.where);
   Tolerance tolerance;
-  tolerance.absolute = t.number("absolute", 0, 0, infinity);
+  tolerance.absolute = t.number("absolute", 0, 0, std::numeric_limits<double>::infinity());
   tolerance.relative = t.number("relative", 0, 0, 1);
   if (const Json* ulp = t.find("ulp")) tolerance.ulp = strict_json::whole(*ulp, t.at("ulp"), 0, 1 << 20);
   const bool equal = tolerance.absolute == 0 && tolerance.relative == 0 && tolerance.ulp == 0;

@@ -9,31 +9,31 @@
 namespace atelier::judge {
 namespace {
 
-using Json = nlohmann::ordered_json;  // members in the order in which people read them
+using OrderedJson = nlohmann::ordered_json;  // members in the order in which people read them
 
-Json number(double value) {
-  return Json(strict_json::from_number(value));
+OrderedJson number(double value) {
+  return OrderedJson(strict_json::from_number(value));
 }
 
-Json points(double value) {
+OrderedJson points(double value) {
   return number(std::round(value * 1e6) / 1e6);
 }
 
-Json text_or_null(const std::optional<std::string>& text) {
-  return text ? Json(*text) : Json(nullptr);
+OrderedJson text_or_null(const std::optional<std::string>& text) {
+  return text ? OrderedJson(*text) : OrderedJson(nullptr);
 }
 
-Json colour(const Rgba& c) {
+OrderedJson colour(const Rgba& c) {
   return {number(c.r), number(c.g), number(c.b), number(c.a)};
 }
 
-Json worst_json(const std::optional<Worst>& worst) {
+OrderedJson worst_json(const std::optional<Worst>& worst) {
   if (!worst) return nullptr;
   return {{"x", worst->x}, {"y", worst->y}, {"yours", colour(worst->yours)}, {"reference", colour(worst->reference)}};
 }
 
-Json case_json(const CaseResult& result) {
-  Json figures = Json::object();
+OrderedJson case_json(const CaseResult& result) {
+  OrderedJson figures = OrderedJson::object();
   for (const auto& [name, value] : result.figures) figures[name] = number(value);
   return {{"name", result.name},
           {"title", result.title},
@@ -53,8 +53,8 @@ Json case_json(const CaseResult& result) {
           {"output", result.output}};
 }
 
-Json step_json(const StepResult& step) {
-  Json cases = Json::array();
+OrderedJson step_json(const StepResult& step) {
+  OrderedJson cases = OrderedJson::array();
   for (const CaseResult& result : step.cases) cases.push_back(case_json(result));
   return {{"step", step.step},
           {"title", step.title},
@@ -69,12 +69,12 @@ Json step_json(const StepResult& step) {
 }  // namespace
 
 std::string results_json(const SubmissionResult& result) {
-  Json steps = Json::array();
+  OrderedJson steps = OrderedJson::array();
   for (const StepResult& step : result.steps) steps.push_back(step_json(step));
-  const Json document = {{"submission", result.submission},       {"score", points(result.score)},
-                         {"max_score", points(result.max_score)}, {"steps", std::move(steps)},
-                         {"environment", result.environment},     {"notes", result.notes}};
-  return document.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  const OrderedJson document = {{"submission", result.submission},       {"score", points(result.score)},
+                                {"max_score", points(result.max_score)}, {"steps", std::move(steps)},
+                                {"environment", result.environment},     {"notes", result.notes}};
+  return document.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 void write_results_json(const std::filesystem::path& file, const SubmissionResult& result) {

@@ -17,7 +17,6 @@
 namespace atelier::judge {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr int least_evidence = 2;      // numbers that an operation moves to where they are
 constexpr double rounding = 4e-6;      // of the largest number: an inverse rounds more than what was asked for
 constexpr double as_good = 0.1;        // tolerances: operations that differ by less fit equally well
@@ -248,7 +247,7 @@ double misfit(const Operation& operation, const Value& value, const Tolerance& t
   for (std::size_t k = 0; k < would_be.size(); ++k) {
     const bool lost = std::isfinite(value.expected[k]) && !std::isfinite(would_be[k]);  // there is no inverse, say
     const double times = times_tolerance(value.yours[k], would_be[k], loose);
-    if (lost || times > 1) return infinity;
+    if (lost || times > 1) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, times);
   }
   return worst;

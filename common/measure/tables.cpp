@@ -14,7 +14,7 @@
 namespace atelier::measure {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 std::string csv_number(const std::optional<double>& number) {
   return number ? fmt::format("{:.6g}", *number) : std::string();
@@ -47,32 +47,31 @@ std::string line_of(const std::string& name, Metric metric, const Point& point, 
   return line + "\n";
 }
 
-Json json_of(const std::optional<double>& number) {
-  return number ? Json(*number) : Json();
+OrderedJson json_of(const std::optional<double>& number) {
+  return number ? OrderedJson(*number) : OrderedJson();
 }
 
-Json json_of(const Point& point) {
-  Json json = {{"curve", point.curve},       {"value", point.value},        {"x", point.x},
-               {"error", point.error},       {"rmse", json_of(point.rmse)}, {"flip", json_of(point.flip)},
-               {"counts", point.cost.counts}};
+OrderedJson json_of(const Point& point) {
+  OrderedJson json = {{"curve", point.curve},       {"value", point.value},        {"x", point.x},
+                      {"error", point.error},       {"rmse", json_of(point.rmse)}, {"flip", json_of(point.flip)},
+                      {"counts", point.cost.counts}};
   if (const auto& times = point.cost.times)
     json["frames"] = {
         {"count", times->count}, {"median_s", times->median}, {"least_s", times->least}, {"most_s", times->most}};
   return json;
 }
 
-Json json_of(const std::vector<Point>& points) {
-  Json list = Json::array();
+OrderedJson json_of(const std::vector<Point>& points) {
+  OrderedJson list = OrderedJson::array();
   for (const Point& point : points) list.push_back(json_of(point));
   return list;
 }
 
-Json json_of(const SweepResult& sweep) {
-  Json json = {{"name", sweep.plan.name},           {"title", sweep.plan.title},
-               {"scene", sweep.plan.ask.scene},     {"setting", sweep.plan.setting},
-               {"curves_by", sweep.plan.curves_by}, {"metric", to_string(sweep.plan.metric)},
-               {"noise_floor", floor_of(sweep)},    {"fits", Json::array()},
-               {"findings", Json::array()}};
+OrderedJson json_of(const SweepResult& sweep) {
+  OrderedJson json = {
+      {"name", sweep.plan.name},        {"title", sweep.plan.title},         {"scene", sweep.plan.ask.scene},
+      {"setting", sweep.plan.setting},  {"curves_by", sweep.plan.curves_by}, {"metric", to_string(sweep.plan.metric)},
+      {"noise_floor", floor_of(sweep)}, {"fits", OrderedJson::array()},      {"findings", OrderedJson::array()}};
   for (const std::string& curve : curves_of(sweep))
     if (const auto fit = fit_of(sweep, curve))
       json["fits"].push_back({{"curve", curve},
@@ -88,12 +87,14 @@ Json json_of(const SweepResult& sweep) {
   return json;
 }
 
-Json json_of(const FrontResult& front) {
+OrderedJson json_of(const FrontResult& front) {
   const Ranking ranking = rank(front);
-  Json json = {
-      {"name", front.plan.name},       {"title", front.plan.title},
-      {"scene", front.plan.ask.scene}, {"metric", to_string(front.plan.metric)},
-      {"pareto_front", Json::array()}, {"knee", ranking.knee ? Json(front.points[*ranking.knee].value) : Json()}};
+  OrderedJson json = {{"name", front.plan.name},
+                      {"title", front.plan.title},
+                      {"scene", front.plan.ask.scene},
+                      {"metric", to_string(front.plan.metric)},
+                      {"pareto_front", OrderedJson::array()},
+                      {"knee", ranking.knee ? OrderedJson(front.points[*ranking.knee].value) : OrderedJson()}};
   for (const std::size_t i : ranking.front) json["pareto_front"].push_back(front.points[i].value);
   json["points"] = json_of(front.points);
   return json;
@@ -132,10 +133,10 @@ std::string as_csv(const StepMeasured& measured) {
 }
 
 std::string as_json(const StepMeasured& measured) {
-  Json json = {{"step", measured.step},
-               {"environment", measured.environment},
-               {"sweeps", Json::array()},
-               {"fronts", Json::array()}};
+  OrderedJson json = {{"step", measured.step},
+                      {"environment", measured.environment},
+                      {"sweeps", OrderedJson::array()},
+                      {"fronts", OrderedJson::array()}};
   for (const SweepResult& sweep : measured.sweeps) json["sweeps"].push_back(json_of(sweep));
   for (const FrontResult& front : measured.fronts) json["fronts"].push_back(json_of(front));
   return json.dump(2) + "\n";

@@ -21,18 +21,18 @@
 namespace atelier::stability {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json to_json(const Row& row, const Result& result) {
+OrderedJson to_json(const Row& row, const Result& result) {
   return {{"function", row.function},   {"extreme", row.extreme},   {"demand", to_string(row.demand)},
           {"error", result.error},      {"bound", row.bound.value}, {"unit", row.bound.unit},
           {"reason", row.bound.reason}, {"held", result.held},      {"words", result.words}};
 }
 
-Json to_json(const Sweep& sweep) {
-  Json curves = Json::array();
+OrderedJson to_json(const Sweep& sweep) {
+  OrderedJson curves = OrderedJson::array();
   for (const Curve& curve : sweep.curves) {
-    Json points = Json::array();
+    OrderedJson points = OrderedJson::array();
     for (const glm::dvec2& p : curve.points) points.push_back({p.x, p.y});
     curves.push_back({{"name", curve.name}, {"points", std::move(points)}});
   }
@@ -40,8 +40,8 @@ Json to_json(const Sweep& sweep) {
           {"log_x", sweep.log_x}, {"log_y", sweep.log_y}, {"curves", std::move(curves)}};
 }
 
-Json try_table(const Table& table) {
-  Json rows = Json::array(), sweeps = Json::array();
+OrderedJson try_table(const Table& table) {
+  OrderedJson rows = OrderedJson::array(), sweeps = OrderedJson::array();
   for (const Row& row : table.rows) rows.push_back(to_json(row, try_row(row)));
   for (const auto& sweep : table.sweeps) sweeps.push_back(to_json(sweep()));
   return {{"table", ATELIER_TABLE}, {"rows", std::move(rows)}, {"sweeps", std::move(sweeps)}};
@@ -57,7 +57,7 @@ void run(const std::string& search_path, const std::filesystem::path& file) {
   ShaderFunctions shaders(context->gl(), [&](const std::string& name) { return implementations.find(name); });
   Table table;
   make(table, shaders);
-  write_file(file, try_table(table).dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(file, try_table(table).dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n");
 }
 
 }  // namespace

@@ -148,8 +148,8 @@ TEST_CASE("progress goes to stderr, and leaves the JSON on stdout as it is", "[b
                        out},
          .folder = folders().root});
   };
-  const auto json = nlohmann::json::parse(shell("2>/dev/null").output);
-  CHECK(json["score"] == json["max_score"]);
+  const auto printed = nlohmann::json::parse(shell("2>/dev/null").output);
+  CHECK(printed["score"] == printed["max_score"]);
   const std::string progress = shell("2>&1 >/dev/null").output;
   CHECK(mentions(progress, {"00-hello: ", "cases passed (step 1 of 1)\n"}));
   CHECK(std::count(progress.begin(), progress.end(), '\n') == 1);

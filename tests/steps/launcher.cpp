@@ -54,11 +54,11 @@ TEST_CASE("doctor's JSON is whole without a build", "[launcher]") {
   const Finished finished = BareMachine().launch({"doctor", "--json"});
   INFO(finished.output);
   CHECK(finished.exit_status == 1);
-  const auto json = nlohmann::json::parse(finished.output);
-  CHECK(json["ok"] == false);
-  CHECK(json["findings"].size() >= 5);
-  CHECK(json["findings"].back()["subject"] == "build");
-  CHECK(json["findings"].back()["mend"] == "./atelier list");
+  const auto printed = nlohmann::json::parse(finished.output);
+  CHECK(printed["ok"] == false);
+  CHECK(printed["findings"].size() >= 5);
+  CHECK(printed["findings"].back()["subject"] == "build");
+  CHECK(printed["findings"].back()["mend"] == "./atelier list");
 }
 
 TEST_CASE("doctor refuses what it does not know, and explains itself, on a bare machine too", "[launcher]") {
@@ -86,9 +86,9 @@ TEST_CASE("doctor with a build tells of contexts and steps", "[launcher]") {
   const Finished finished = run_atelier({"doctor", "--found", "lack\tninja\tnot found\tget it\n", "--json"});
   INFO(finished.output);
   CHECK(finished.exit_status == 1);  // what the launcher lacks counts
-  const auto json = nlohmann::json::parse(finished.output);
+  const auto printed = nlohmann::json::parse(finished.output);
   std::vector<std::string> subjects;
-  for (const auto& finding : json["findings"]) subjects.push_back(finding["subject"]);
+  for (const auto& finding : printed["findings"]) subjects.push_back(finding["subject"]);
   CHECK(subjects.front() == "ninja");
   for (const char* subject : {"display", "osmesa", "egl", "window", "judge", "watching", "sandbox", "steps"}) {
     INFO(subject);

@@ -8,10 +8,9 @@ using namespace atelier::test;
 
 namespace {
 
-constexpr const char* step = "04-point-shadows";
-constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< floats, and 24 bits of depth in 32
-constexpr std::int64_t face_bytes = 128 * 128 * 4;            ///< the same of a face
-constexpr std::int64_t map_bytes = 256 * 256 * 4;
+constexpr const char* cubes_step = "04-point-shadows";
+constexpr std::int64_t face_bytes = 128 * 128 * 4;  ///< the same of a face
+constexpr std::int64_t cone_map_bytes = 256 * 256 * 4;
 
 /// With cubes of 128 texels an edge and maps of 256.
 Case lamp_lit(const std::string& scene, std::map<std::string, SettingValue> settings = {}) {
@@ -31,7 +30,7 @@ TEST_CASE("lamps that need no cube have none", "[required]") {
        {{"passes", 2}, {"texture_sources", 1}, {"target_bytes", picture_bytes + 6 * face_bytes}}},
       {"casters within a cone: one map of step 03, and no cube",
        lamp_lit("desk"),
-       {{"passes", 2}, {"target_bytes", picture_bytes + map_bytes}}},
+       {{"passes", 2}, {"target_bytes", picture_bytes + cone_map_bytes}}},
       {"the same by a cube",
        lamp_lit("desk", {{"cube.instead", never}}),
        {{"target_bytes", picture_bytes + 6 * face_bytes}}},
@@ -50,13 +49,13 @@ TEST_CASE("lamps that need no cube have none", "[required]") {
        lamp_lit("lantern", {{"shadow.format", std::string("16")}}),
        {{"target_bytes", picture_bytes + 3 * face_bytes}}},
   };
-  check_costs(step, rows);
+  check_costs(cubes_step, rows);
 }
 
 TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {
-  const auto all = drawn(
-      step, {lamp_lit("crates", {{"light.count", 0}}), lamp_lit("crates"), lamp_lit("crates", {{"cube.passes", six}}),
-             lamp_lit("crates", {{"cube.passes", six}, {"cube.faces", all_faces}})});
+  const auto all = drawn(cubes_step, {lamp_lit("crates", {{"light.count", 0}}), lamp_lit("crates"),
+                                      lamp_lit("crates", {{"cube.passes", six}}),
+                                      lamp_lit("crates", {{"cube.passes", six}, {"cube.faces", all_faces}})});
   const auto more = [&](std::size_t i, const char* count) { return all[i].counts.at(count) - all[0].counts.at(count); };
   CHECK(more(1, "draws") == 5);  // crates alone: the walls cast no shadow
   CHECK(more(1, "passes") == 1);
@@ -84,7 +83,7 @@ TEST_CASE("faces that nothing in the picture is looked up in are not drawn for e
         one.settings["shadow.update"] = always;
         pictures.push_back(one);
       }
-  const auto all = drawn(step, pictures);
+  const auto all = drawn(cubes_step, pictures);
   for (std::size_t i = 0; i < all.size(); i += 2) {
     INFO(pictures[i].scene << ", pair " << i / 2);
     CHECK(pixels_apart(all[i].picture, all[i + 1].picture) == 0);
@@ -93,19 +92,19 @@ TEST_CASE("faces that nothing in the picture is looked up in are not drawn for e
   // The camera sees the far wall and boxes to its upper left: nothing below the lamp, and nothing to its right.
   Case fine = pictures[1];
   fine.settings["cube.resolution"] = 512;
-  CHECK(drawn(step, {fine})[0].counts.at("passes") <= all[0].counts.at("passes") - 2);
+  CHECK(drawn(cubes_step, {fine})[0].counts.at("passes") <= all[0].counts.at("passes") - 2);
 }
 
 TEST_CASE("cubes of what stands still are drawn once", "[required]") {
   for (const char* scene : {"lantern", "room", "touching", "desk"}) {
     INFO(scene);
-    const auto first = drawn(step, {lamp_lit(scene)})[0].counts;
-    const auto later = counts_at_rest(step, lamp_lit(scene));
+    const auto first = drawn(cubes_step, {lamp_lit(scene)})[0].counts;
+    const auto later = counts_at_rest(cubes_step, lamp_lit(scene));
     CHECK(first.at("passes") > 1);
     CHECK(later.at("passes") == 1);
     CHECK(later.at("draws") < first.at("draws"));
     CHECK(later.at("allocated_bytes") == 0);
-    const auto always = counts_at_rest(step, lamp_lit(scene, {{"shadow.update", std::string("always")}}));
+    const auto always = counts_at_rest(cubes_step, lamp_lit(scene, {{"shadow.update", std::string("always")}}));
     CHECK(always.at("passes") == first.at("passes"));
     CHECK(always.at("draws") > later.at("draws"));
     CHECK(always.at("draws") <= first.at("draws"));  // casters that only faces out of sight see are left out

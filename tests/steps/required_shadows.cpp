@@ -7,9 +7,8 @@ using namespace atelier::test;
 
 namespace {
 
-constexpr const char* step = "03-shadow-mapping";
-constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< floats, and 24 bits of depth in 32
-constexpr std::int64_t map_bytes = 256 * 256 * 4;             ///< the same of a map
+constexpr const char* shadows_step = "03-shadow-mapping";
+constexpr std::int64_t map_bytes = 256 * 256 * 4;  ///< the same of a map
 
 /// With maps of 256 x 256 texels.
 Case shadowed(const std::string& scene, std::map<std::string, SettingValue> settings = {},
@@ -50,12 +49,12 @@ TEST_CASE("shadows that a scene does not have cost nothing", "[required]") {
        shadowed("table", {{"shadow.format", std::string("16")}}),
        {{"target_bytes", picture_bytes + map_bytes / 2}}},
   };
-  check_costs(step, rows);
+  check_costs(shadows_step, rows);
 }
 
 TEST_CASE("what receives no shadow has no code for it", "[required]") {
   // Beside the variants that the materials themselves make: one for the box that receives nothing, one for the maps.
-  const auto all = drawn(step, {shadowed("edges"), shadowed("edges", {{"light.count", 0}})});
+  const auto all = drawn(shadows_step, {shadowed("edges"), shadowed("edges", {{"light.count", 0}})});
   CHECK(all[0].counts.at("variants") == all[1].counts.at("variants") + 2);
 }
 
@@ -66,7 +65,7 @@ TEST_CASE("only what casts within a light's sight is drawn into its map", "[requ
     one->camera.eye = glm::dvec3(0.3, 1.7, -14);
     one->camera.target = glm::dvec3(0, 1.5, -20);
   }
-  const auto all = drawn(step, {shadowed("table", {{"light.count", 0}}), shadowed("table"), scene, visible});
+  const auto all = drawn(shadows_step, {shadowed("table", {{"light.count", 0}}), shadowed("table"), scene, visible});
   const auto draws = [&](std::size_t i) { return all[i].counts.at("draws"); };
   CHECK(draws(1) - draws(0) == 6);  // top, four legs and ball; the floor casts no shadow
   CHECK(draws(3) < draws(2) - 20);  // what throws its shadow out of sight
@@ -76,13 +75,13 @@ TEST_CASE("only what casts within a light's sight is drawn into its map", "[requ
 TEST_CASE("maps of what stands still are drawn once", "[required]") {
   for (const char* scene : {"table", "three-spots", "edges", "colonnade"}) {
     INFO(scene);
-    const auto first = drawn(step, {shadowed(scene)})[0].counts;
-    const auto later = counts_at_rest(step, shadowed(scene));
+    const auto first = drawn(shadows_step, {shadowed(scene)})[0].counts;
+    const auto later = counts_at_rest(shadows_step, shadowed(scene));
     CHECK(first.at("passes") > 1);
     CHECK(later.at("passes") == 1);
     CHECK(later.at("draws") < first.at("draws"));
     CHECK(later.at("allocated_bytes") == 0);
-    const auto always = counts_at_rest(step, shadowed(scene, {{"shadow.update", std::string("always")}}));
+    const auto always = counts_at_rest(shadows_step, shadowed(scene, {{"shadow.update", std::string("always")}}));
     CHECK(always.at("passes") == first.at("passes"));
     CHECK(always.at("draws") == first.at("draws"));
   }
@@ -113,7 +112,7 @@ TEST_CASE("a map that is drawn for every frame holds all that the picture asks o
   inside.camera.eye = glm::dvec3(0.3, 1.7, -14);
   inside.camera.target = glm::dvec3(0, 1.5, -20);
   both(inside);
-  const auto all = drawn(step, pictures);
+  const auto all = drawn(shadows_step, pictures);
   for (std::size_t i = 0; i < all.size(); i += 3) {
     INFO(pictures[i].scene << ", no. " << i / 3);
     CHECK(pixels_apart(all[i].picture, all[i + 2].picture) == 0);
@@ -125,9 +124,9 @@ TEST_CASE("half-shadows of a sun are there whatever its map is fitted to", "[req
   const std::map<std::string, SettingValue> soft{{"shadow.soft", std::string("pcss")}, {"light.width", 0.05}};
   std::map<std::string, SettingValue> visible = soft;
   visible["shadow.fit"] = std::string("visible");
-  const auto all =
-      drawn(step, {shadowed("colonnade", soft, "shadow_factor"), shadowed("colonnade", visible, "shadow_factor"),
-                   shadowed("colonnade", {}, "shadow_factor")});
+  const auto all = drawn(shadows_step,
+                         {shadowed("colonnade", soft, "shadow_factor"), shadowed("colonnade", visible, "shadow_factor"),
+                          shadowed("colonnade", {}, "shadow_factor")});
   const auto dark = [](const Image& factor) {
     return std::ranges::count_if(factor.pixels(), [](const Rgba& p) { return p.r < 0.5f; });
   };
@@ -137,7 +136,7 @@ TEST_CASE("half-shadows of a sun are there whatever its map is fitted to", "[req
 
 TEST_CASE("a sun asks no perspective", "[required]") {
   // Its box begins at the plane 0, which step 01's perspective refuses: a picture at all is the proof.
-  const auto all = drawn(step, {shadowed("colonnade"), shadowed("grazing")});
+  const auto all = drawn(shadows_step, {shadowed("colonnade"), shadowed("grazing")});
   for (const Drawn& one : all) CHECK(one.counts.at("passes") == 2);
 }
 
@@ -147,7 +146,7 @@ TEST_CASE("shadows do not depend on the size of the scene", "[required]") {
     for (const char* bias : {"constant", "slope", "normal", "plane"})
       pictures.push_back(
           shadowed("table", {{"scene.scale", scale}, {"shadow.bias", std::string(bias)}}, "shadow_factor"));
-  const auto all = drawn(step, pictures);
+  const auto all = drawn(shadows_step, pictures);
   for (std::size_t i = 4; i < all.size(); ++i) {
     INFO("picture " << i);
     // Roundings move the edges of shadows across the middles of a few of the 19200 pixels.
@@ -168,7 +167,7 @@ TEST_CASE("a map of one texel, and light at 89.9 degrees, still give shares of l
           "grazing", {{"shadow.bias", std::string(bias)}, {"shadow.soft", std::string(soft)}, {"grazing.angle", 89.9}},
           "shadow_factor"));
     }
-  for (const Drawn& one : drawn(step, pictures)) {
+  for (const Drawn& one : drawn(shadows_step, pictures)) {
     int strange = 0;
     for (const Rgba& p : one.picture.pixels()) strange += !(p.r >= 0 && p.r <= 1);
     CHECK(strange == 0);

@@ -17,7 +17,7 @@ Gesture press(Controls& controls, const Pressed& event) {
   controls.last = event.position;
   if (event.button != Button::left) return gesture;
   if (is_double_click(controls.last_click, event)) {
-    gesture.command = Command::reset_camera;
+    gesture.action = Action::reset_camera;
     controls.last_click.reset();  // a third click begins anew
   } else {
     controls.last_click = event;
@@ -36,11 +36,11 @@ Gesture move(Controls& controls, const Moved& event) {
 Gesture type(const Typed& event) {
   switch (event.key) {
     case Key::escape:
-      return {.command = Command::quit};
+      return {.action = Action::quit};
     case Key::tab:
-      return {.command = Command::panel};
+      return {.action = Action::panel};
     case Key::space:
-      return {.command = Command::play};
+      return {.action = Action::play};
     case Key::left:
       return {.turn = {arrow_turn, 0}};
     case Key::right:
@@ -54,13 +54,13 @@ Gesture type(const Typed& event) {
     case Key::minus:
       return {.dolly = -1};
     case Key::h:
-      return {.command = Command::help};
+      return {.action = Action::help};
     case Key::r:
-      return {.command = Command::reset_camera};
+      return {.action = Action::reset_camera};
     case Key::s:
-      return {.command = Command::save};
+      return {.action = Action::save};
     case Key::digit:
-      return {.command = Command::scene, .number = event.digit};
+      return {.action = Action::scene, .number = event.digit};
   }
   return {};
 }

@@ -34,14 +34,14 @@ struct Exposed {};
 
 using Event = std::variant<Pressed, Released, Moved, Scrolled, Typed, Exposed>;
 
-enum class Command { none, quit, help, panel, play, reset_camera, save, scene };
+enum class Action { none, quit, help, panel, play, reset_camera, save, scene };
 
 /// What an event means. Everything at once is possible, most of it is zero.
 struct Gesture {
   glm::dvec2 turn{0};  ///< of the camera about its target, in window units of dragging: x to the right, y down
   glm::dvec2 pan{0};   ///< of the picture, in the same units
   double dolly = 0;    ///< steps towards the target
-  Command command = Command::none;
+  Action action = Action::none;
   int number = 0;  ///< of the scene, from 1
 };
 

@@ -97,33 +97,33 @@ void Window::obey(const Gesture& gesture) {
   if (gesture.turn != glm::dvec2(0)) viewer_.turn(gesture.turn, height);
   if (gesture.pan != glm::dvec2(0)) viewer_.pan(gesture.pan, height);
   if (gesture.dolly != 0) viewer_.dolly(gesture.dolly);
-  obey(gesture.command, gesture.number);
+  obey(gesture.action, gesture.number);
 }
 
-void Window::obey(Command command, int number) {
+void Window::obey(Action action, int number) {
   const auto& scenes = viewer_.description().scenes;
-  switch (command) {
-    case Command::none:
+  switch (action) {
+    case Action::none:
       return;
-    case Command::quit:
+    case Action::quit:
       quit_ = true;
       return;
-    case Command::help:
+    case Action::help:
       state_.help = !state_.help;
       return;
-    case Command::panel:
+    case Action::panel:
       state_.visible = !state_.visible;
       return;
-    case Command::play:
+    case Action::play:
       viewer_.play(!viewer_.playing());
       return;
-    case Command::reset_camera:
+    case Action::reset_camera:
       viewer_.reset_camera();
       return;
-    case Command::save:
+    case Action::save:
       save_picture();
       return;
-    case Command::scene:
+    case Action::scene:
       if (number <= int(scenes.size())) viewer_.choose_scene(scenes[std::size_t(number - 1)]);
       return;
   }

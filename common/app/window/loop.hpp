@@ -38,7 +38,7 @@ class Window {
   double waiting_time() const;
   void hear(const std::vector<Event>& events);
   void obey(const Gesture& gesture);
-  void obey(Command command, int number);
+  void obey(Action action, int number);
   void look_at_files();
   void look_at_code();
   void let_time_pass();

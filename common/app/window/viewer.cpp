@@ -31,10 +31,10 @@ void check_names(const StepDescription& description, const std::string& scene, c
 }
 
 /// Runs a student's code; returns the words of what it throws, or an empty string.
-template <class Action>
-std::string words_of(Action&& action) {
+template <class Attempt>
+std::string words_of(Attempt&& attempt) {
   try {
-    action();
+    attempt();
     return {};
   } catch (const std::exception& error) {
     return *error.what() ? error.what() : "an exception without a message was thrown";

@@ -13,7 +13,7 @@ namespace {
 
 constexpr float near_plane = 1, far_plane = 25;  // metres
 
-constexpr const char* depth_vertex = R"(
+constexpr const char* to_world_vertex = R"(
 layout(location = 0) in vec3 a_position;
 uniform mat4 u_model;
 void main() { gl_Position = u_model * vec4(a_position, 1.0); }
@@ -57,7 +57,7 @@ float shadow(vec3 normal) {
 }
 )";
 
-DepthMap make_map(Gl& gl) {
+DepthMap make_cube_map(Gl& gl) {
   DepthMap map{GL_TEXTURE_CUBE_MAP, 1024, GlTexture(gl)};
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, map.texture.id());
   for (GLenum face = 0; face < 6; ++face)
@@ -84,8 +84,8 @@ std::array<glm::mat4, 6> faces_around(const glm::vec3& lamp) {
 class PointDemo : public TwoPassDemo {
  public:
   explicit PointDemo(Gl& gl)
-      : TwoPassDemo(gl, make_cube_room_scene(), make_map(gl), build(gl, depth_vertex, depth_fragment, depth_geometry),
-                    lit_vertex(), lamp_shadow) {}
+      : TwoPassDemo(gl, make_cube_room_scene(), make_cube_map(gl),
+                    build(gl, to_world_vertex, depth_fragment, depth_geometry), lit_vertex(), lamp_shadow) {}
 
  private:
   glm::vec3 lamp() const { return glm::vec3(scene().lights.front().position); }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr glm::vec3 lamp{-2, 4, -1};
 
-constexpr const char* depth_vertex = R"(
+constexpr const char* to_light_vertex = R"(
 layout(location = 0) in vec3 a_position;
 uniform mat4 u_model, u_world_to_light;
 void main() { gl_Position = u_world_to_light * u_model * vec4(a_position, 1.0); }
@@ -38,7 +38,7 @@ float shadow(vec3 normal) {
 )";
 
 /// 1, the farthest, beyond its edges.
-DepthMap make_map(Gl& gl) {
+DepthMap make_flat_map(Gl& gl) {
   DepthMap map{GL_TEXTURE_2D, 1024, GlTexture(gl)};
   gl.BindTexture(GL_TEXTURE_2D, map.texture.id());
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, map.resolution, map.resolution, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
@@ -55,7 +55,7 @@ DepthMap make_map(Gl& gl) {
 class SunDemo : public TwoPassDemo {
  public:
   explicit SunDemo(Gl& gl)
-      : TwoPassDemo(gl, make_cubes_scene(), make_map(gl), build(gl, depth_vertex, "void main() {}\n"),
+      : TwoPassDemo(gl, make_cubes_scene(), make_flat_map(gl), build(gl, to_light_vertex, "void main() {}\n"),
                     lit_vertex(to_map_declarations, to_map), sun_shadow) {}
 
  private:

@@ -1,4 +1,6 @@
 // upload_triangle, upload_mesh, set_wireframe: empty and large meshes, values that are no numbers, states set twice.
+#include <fmt/format.h>
+
 #include <array>
 #include <cstring>
 

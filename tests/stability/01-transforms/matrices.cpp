@@ -40,12 +40,6 @@ double rotation_error(const glm::vec3& axis, float angle) {
   return difference(values(glm::mat3(rotation(axis, angle))), values(exact::rotation(axis, angle)));
 }
 
-/// How far R^T R is from the identity, and det R from 1.
-double not_rigid(const glm::mat4& m) {
-  const glm::dmat3 r(m);
-  return std::max(difference(values(glm::transpose(r) * r), values(glm::dmat3(1))), std::abs(glm::determinant(r) - 1));
-}
-
 void add_rotation_rows(Table& table) {
   Group group = table.of("rotation");
   const Bound entry{6 * rounding_unit, "absolute",

@@ -98,7 +98,7 @@ void add_matrix_rows_of_normals(Table& table) {
               });
 }
 
-void add_shader_rows(Table& table, ShaderFunctions& shaders) {
+void add_normal_shader_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("world_normal (GLSL)");
   const auto world_normal = [&shaders](const glm::mat3& m, const glm::vec3& normal) {
     const ShaderFunction function{"#include \"01-transforms/transforms.glsl\"\n",
@@ -130,7 +130,7 @@ void add_shader_rows(Table& table, ShaderFunctions& shaders) {
 
 void add_normal_rows(Table& table, ShaderFunctions& shaders) {
   add_matrix_rows_of_normals(table);
-  add_shader_rows(table, shaders);
+  add_normal_shader_rows(table, shaders);
 }
 
 }  // namespace atelier::stability

@@ -21,12 +21,6 @@ double axes_error(const glm::vec3& eye, const glm::vec3& target, const glm::vec3
   return worst;
 }
 
-/// How far the view is from keeping lengths and angles.
-double not_rigid(const glm::mat4& view) {
-  const glm::dmat3 r(view);
-  return std::max(difference(values(glm::transpose(r) * r), values(glm::dmat3(1))), std::abs(glm::determinant(r) - 1));
-}
-
 /// Where the eye comes to lie, which should be the origin, as a share of its distance from the world's.
 double eye_error(const glm::vec3& eye, const glm::vec3& target, const glm::vec3& up) {
   const glm::dvec3 at(glm::dmat4(look_at(eye, target, up)) * glm::dvec4(eye, 1));

@@ -83,7 +83,7 @@ Sweep world_offset_sweep(ShaderFunctions& shaders) {
   return sweep;
 }
 
-void add_shader_rows(Table& table, ShaderFunctions& shaders) {
+void add_offset_shader_rows(Table& table, ShaderFunctions& shaders) {
   Group clip = table.of("clip_position (GLSL)");
   const glm::mat4 one(1.0f);
   const auto with_model = [=, &shaders](const glm::mat4& model, const glm::vec3& p) {
@@ -130,7 +130,7 @@ void add_shader_rows(Table& table, ShaderFunctions& shaders) {
 }  // namespace
 
 void add_world_offset_rows(Table& table, ShaderFunctions& shaders) {
-  add_shader_rows(table, shaders);
+  add_offset_shader_rows(table, shaders);
   Group group = table.of("from object to pixel");
   for (const double offset : {0.0, 1.0, 1e3, 1e6, 1e7})
     group.close(

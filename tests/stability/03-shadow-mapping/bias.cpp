@@ -29,12 +29,6 @@ class Moved {
 
 const glm::vec3 up(0, 1, 0);
 
-/// Of unit length, this many degrees off the floor's normal.
-glm::vec3 slanted(double degrees) {
-  const double a = degrees * std::numbers::pi / 180;
-  return glm::vec3(std::sin(a), std::cos(a), 0);
-}
-
 void add_constant_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("constant_bias (GLSL)");
   const Moved moved(shaders, "constant_bias(p.xyz, l.xyz, amount.x)");

@@ -52,12 +52,6 @@ class Factor {
   ShaderFunction function_;
 };
 
-/// A direction this many degrees off the vertical.
-glm::vec3 slanted(double degrees) {
-  const double a = degrees * std::numbers::pi / 180;
-  return glm::vec3(std::sin(a), std::cos(a), 0);
-}
-
 /// How many of the numbers are no share, 0..1.
 Values no_shares(const Values& numbers) {
   double count = 0;

@@ -12,7 +12,7 @@ using namespace shadow_mapping;
 
 namespace {
 
-Values numbers(const LightFrustum& f) {
+Values turned(const LightFrustum& f) {
   return {f.direction.x, f.direction.y, f.direction.z, f.extent, f.near, f.far};
 }
 
@@ -47,14 +47,14 @@ void add_spot_rows(Group& group) {
   };
   for (const SpotCase& c : exact)
     group.close(c.words, {4 * rounding_unit, "absolute", "a sum, a quotient and an arc sine of small numbers"}, [c] {
-      return difference(numbers(fit_spot(c.position, {0, 0, -1}, c.outer, c.sphere)), c.expected);
+      return difference(turned(fit_spot(c.position, {0, 0, -1}, c.outer, c.sphere)), c.expected);
     });
   for (const float length : {1e-15f, 1e15f})
-    group.close(fmt::format("a direction {:g} long", length),
-                {2 * rounding_unit, "absolute", "a square root and a quotient"}, [=] {
-                  return difference(numbers(fit_spot({0, 0, 0}, length * glm::vec3(0, -1, 0), 1, {})),
-                                    {0, -1, 0, 1, 0.001f, 1});
-                });
+    group.close(
+        fmt::format("a direction {:g} long", length), {2 * rounding_unit, "absolute", "a square root and a quotient"},
+        [=] {
+          return difference(turned(fit_spot({0, 0, 0}, length * glm::vec3(0, -1, 0), 1, {})), {0, -1, 0, 1, 0.001f, 1});
+        });
 }
 
 /// The largest relative error of half-angle, near and far of a light that looks at a sphere.

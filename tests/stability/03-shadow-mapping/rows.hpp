@@ -1,8 +1,10 @@
 // The table of step 03, a function for each part of its contract.
 #pragma once
 
+#include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <numbers>
 
 #include "03-shadow-mapping/shadow_mapping.hpp"
 #include "gl/objects.hpp"
@@ -22,6 +24,12 @@ void add_soft_rows(Table& table, ShaderFunctions& shaders);
 void add_factor_rows(Table& table, ShaderFunctions& shaders);
 
 inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+/// The direction this many degrees off (0, 1, 0), in the plane of x and y.
+inline glm::vec3 slanted(double degrees) {
+  const double a = degrees * std::numbers::pi / 180;
+  return glm::vec3(std::sin(a), std::cos(a), 0);
+}
 
 /// Which variant of the shader: the defines that the program sets.
 struct Variant {

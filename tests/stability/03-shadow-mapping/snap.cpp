@@ -29,7 +29,7 @@ double off_grid(const LightFrustum& snapped, int resolution) {
   return std::max(std::abs(texels.x - std::round(texels.x)), std::abs(texels.y - std::round(texels.y)));
 }
 
-Values numbers(const LightFrustum& f) {
+Values placed(const LightFrustum& f) {
   return {f.eye.x, f.eye.y, f.eye.z, f.extent, f.near, f.far};
 }
 
@@ -37,10 +37,10 @@ void add_size_rows(Group& group) {
   group.same(
       "a pyramid stays as it is",
       [] {
-        return numbers(snap_to_texels({.eye = {0.3f, 0.7f, 0.1f}, .extent = 0.7f}, 64));
+        return placed(snap_to_texels({.eye = {0.3f, 0.7f, 0.1f}, .extent = 0.7f}, 64));
       },
       [] {
-        return numbers({.eye = {0.3f, 0.7f, 0.1f}, .extent = 0.7f});
+        return placed({.eye = {0.3f, 0.7f, 0.1f}, .extent = 0.7f});
       });
   for (const float extent : {1e-6f, 1e-3f, 1.0f, 1e3f, 1e6f})
     group.close(fmt::format("half {:g} m wide: the next of the steps 2^(k/4), with half a texel of room", extent),
@@ -65,7 +65,7 @@ void add_place_rows(Group& group) {
                   return off_grid(snapped, 256) * 2 * double(snapped.extent) / 256 / 4;
                 });
   group.finite("1e30 m from the origin", [] {
-    return numbers(snap_to_texels(sun_at(glm::vec3(1e30f), {1, -2, 0.5f}, 1), 1024));
+    return placed(snap_to_texels(sun_at(glm::vec3(1e30f), {1, -2, 0.5f}, 1), 1024));
   });
   group.close("1000 random suns: the eye moves by at most half a texel across, and not along",
               {1e-5, "texels", "lengths of up to 1000 texels, in floats: 1000 times 2^-24, twice"}, [] {

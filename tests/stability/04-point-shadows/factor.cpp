@@ -10,7 +10,6 @@ namespace atelier::stability {
 
 namespace {
 
-constexpr std::array<float, 6> all_half{0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
 const char* const bias_names[] = {"none", "constant", "slope", "normal"};
 
 struct Point {

@@ -11,8 +11,6 @@ namespace atelier::stability {
 namespace {
 
 constexpr float beside = 1e-6f;
-constexpr std::array<float, 6> all_half{0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
-
 /// How many of the answers are none of the numbers that are allowed.
 double count_others(const std::vector<glm::vec4>& answers, std::initializer_list<float> allowed) {
   double count = 0;

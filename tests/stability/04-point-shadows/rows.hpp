@@ -22,6 +22,9 @@ void add_factor_rows(Table& table, ShaderFunctions& shaders);
 
 inline constexpr float largest_float = std::numeric_limits<float>::max();
 
+/// What FilledCube takes for one distance all round.
+inline constexpr std::array<float, 6> all_half{0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
+
 /// A cube made by the step's own function, with one distance in all texels of each face.
 class FilledCube {
  public:

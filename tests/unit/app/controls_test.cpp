@@ -16,7 +16,7 @@ Gesture after(std::initializer_list<Event> events) {
     sum.turn += gesture.turn;
     sum.pan += gesture.pan;
     sum.dolly += gesture.dolly;
-    if (gesture.command != Command::none) sum.command = gesture.command, sum.number = gesture.number;
+    if (gesture.action != Action::none) sum.action = gesture.action, sum.number = gesture.number;
   }
   return sum;
 }
@@ -33,58 +33,58 @@ TEST_CASE("events become gestures", "[controls]") {
     std::initializer_list<Event> events;
     glm::dvec2 turn, pan;
     double dolly;
-    Command command;
+    Action action;
   } rows[] = {
-      {"a move without a button", {Moved{{5, 5}}}, {}, {}, 0, Command::none},
-      {"a left drag turns", {press(Button::left, 10, 10), Moved{{14, 9}}}, {4, -1}, {}, 0, Command::none},
-      {"in several moves", {press(Button::left, 0, 0), Moved{{1, 0}}, Moved{{3, 4}}}, {3, 4}, {}, 0, Command::none},
-      {"a right drag pans", {press(Button::right, 0, 0), Moved{{2, 3}}}, {}, {2, 3}, 0, Command::none},
-      {"a middle drag pans", {press(Button::middle, 0, 0), Moved{{2, 3}}}, {}, {2, 3}, 0, Command::none},
+      {"a move without a button", {Moved{{5, 5}}}, {}, {}, 0, Action::none},
+      {"a left drag turns", {press(Button::left, 10, 10), Moved{{14, 9}}}, {4, -1}, {}, 0, Action::none},
+      {"in several moves", {press(Button::left, 0, 0), Moved{{1, 0}}, Moved{{3, 4}}}, {3, 4}, {}, 0, Action::none},
+      {"a right drag pans", {press(Button::right, 0, 0), Moved{{2, 3}}}, {}, {2, 3}, 0, Action::none},
+      {"a middle drag pans", {press(Button::middle, 0, 0), Moved{{2, 3}}}, {}, {2, 3}, 0, Action::none},
       {"the release ends it",
        {press(Button::left, 0, 0), Moved{{1, 1}}, Released{Button::left}, Moved{{9, 9}}},
        {1, 1},
        {},
        0,
-       Command::none},
+       Action::none},
       {"a second button changes nothing",
        {press(Button::left, 0, 0), press(Button::right, 0, 0), Released{Button::right}, Moved{{2, 0}}},
        {2, 0},
        {},
        0,
-       Command::none},
-      {"the wheel dollies", {Scrolled{2}, Scrolled{-0.5}}, {}, {}, 1.5, Command::none},
+       Action::none},
+      {"the wheel dollies", {Scrolled{2}, Scrolled{-0.5}}, {}, {}, 1.5, Action::none},
       {"two clicks reset",
        {press(Button::left, 5, 5, 1), Released{Button::left}, press(Button::left, 6, 5, 1.2)},
        {},
        {},
        0,
-       Command::reset_camera},
+       Action::reset_camera},
       {"two slow clicks do not",
        {press(Button::left, 5, 5, 1), Released{Button::left}, press(Button::left, 5, 5, 2)},
        {},
        {},
        0,
-       Command::none},
+       Action::none},
       {"two distant clicks do not",
        {press(Button::left, 5, 5, 1), press(Button::left, 50, 5, 1.1)},
        {},
        {},
        0,
-       Command::none},
+       Action::none},
       {"two right clicks do not",
        {press(Button::right, 5, 5, 1), press(Button::right, 5, 5, 1.1)},
        {},
        {},
        0,
-       Command::none},
-      {"plus comes nearer", {Typed{Key::plus}}, {}, {}, 1, Command::none},
-      {"Esc quits", {Typed{Key::escape}}, {}, {}, 0, Command::quit},
-      {"S saves", {Typed{Key::s}}, {}, {}, 0, Command::save},
-      {"R resets", {Typed{Key::r}}, {}, {}, 0, Command::reset_camera},
-      {"H helps", {Typed{Key::h}}, {}, {}, 0, Command::help},
-      {"Tab hides", {Typed{Key::tab}}, {}, {}, 0, Command::panel},
-      {"Space plays", {Typed{Key::space}}, {}, {}, 0, Command::play},
-      {"a lost content means nothing", {Exposed{}}, {}, {}, 0, Command::none},
+       Action::none},
+      {"plus comes nearer", {Typed{Key::plus}}, {}, {}, 1, Action::none},
+      {"Esc quits", {Typed{Key::escape}}, {}, {}, 0, Action::quit},
+      {"S saves", {Typed{Key::s}}, {}, {}, 0, Action::save},
+      {"R resets", {Typed{Key::r}}, {}, {}, 0, Action::reset_camera},
+      {"H helps", {Typed{Key::h}}, {}, {}, 0, Action::help},
+      {"Tab hides", {Typed{Key::tab}}, {}, {}, 0, Action::panel},
+      {"Space plays", {Typed{Key::space}}, {}, {}, 0, Action::play},
+      {"a lost content means nothing", {Exposed{}}, {}, {}, 0, Action::none},
   };
   for (const auto& row : rows) {
     INFO(row.name);
@@ -92,21 +92,21 @@ TEST_CASE("events become gestures", "[controls]") {
     CHECK(gesture.turn == row.turn);
     CHECK(gesture.pan == row.pan);
     CHECK(gesture.dolly == row.dolly);
-    CHECK(gesture.command == row.command);
+    CHECK(gesture.action == row.action);
   }
 }
 
 TEST_CASE("a digit names a scene", "[controls]") {
   const Gesture gesture = after({Typed{Key::digit, 4}});
-  CHECK(gesture.command == Command::scene);
+  CHECK(gesture.action == Action::scene);
   CHECK(gesture.number == 4);
 }
 
 TEST_CASE("a third click is no second double click", "[controls]") {
   Controls controls;
   interpret(controls, press(Button::left, 0, 0, 0.0));
-  CHECK(interpret(controls, press(Button::left, 0, 0, 0.1)).command == Command::reset_camera);
-  CHECK(interpret(controls, press(Button::left, 0, 0, 0.2)).command == Command::none);
+  CHECK(interpret(controls, press(Button::left, 0, 0, 0.1)).action == Action::reset_camera);
+  CHECK(interpret(controls, press(Button::left, 0, 0, 0.2)).action == Action::none);
 }
 
 TEST_CASE("opposite arrows undo each other", "[controls]") {

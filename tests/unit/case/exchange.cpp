@@ -20,7 +20,7 @@ namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
 
-Image example() {
+Image small_picture() {
   Image image(3, 2);
   for (int i = 0; i < 6; ++i) image.pixels()[i] = {i * 0.1f, -1e30f, 1e-40f, 1};
   return image;
@@ -42,7 +42,7 @@ std::string values_refusal(const std::string& text) {
 
 TEST_CASE("pixels come back bit by bit, whatever they are") {
   const TemporaryFolder folder;
-  Image image = example();
+  Image image = small_picture();
   image.at(2, 1) = {std::nanf("0x1234"), inf, -inf, -0.0f};
   write_pixels(folder.path() / "a.pixels", image);
   const Image back = read_pixels(folder.path() / "a.pixels", {3, 2});
@@ -50,14 +50,14 @@ TEST_CASE("pixels come back bit by bit, whatever they are") {
 }
 
 TEST_CASE("pixels are laid out as documented") {
-  const std::string bytes = bytes_of(example());
+  const std::string bytes = bytes_of(small_picture());
   CHECK(bytes.size() == 16 + 6 * 16);
   CHECK(bytes.substr(0, 8) == "ATELIER1");
   CHECK(bytes.substr(8, 8) == std::string("\x03\0\0\0\x02\0\0\0", 8));
 }
 
 TEST_CASE("pixels of the wrong kind or size are refused") {
-  const std::string good = bytes_of(example());
+  const std::string good = bytes_of(small_picture());
   std::string bad_magic = good, swapped = good;
   bad_magic[7] = '2';
   std::swap(swapped[8], swapped[12]);
@@ -84,7 +84,7 @@ TEST_CASE("pixels of the wrong kind or size are refused") {
 TEST_CASE("what is no regular file is refused at once") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "target";
-  write_pixels(target, example());
+  write_pixels(target, small_picture());
   fs::create_symlink(target, folder.path() / "link");
   fs::create_directory(folder.path() / "directory");
   REQUIRE(mkfifo((folder.path() / "fifo").c_str(), 0600) == 0);

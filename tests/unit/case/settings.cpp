@@ -8,7 +8,7 @@ using test::error_of;
 
 namespace {
 
-Settings example() {
+Settings shadow_settings() {
   return Settings({
       {.name = "shadow.resolution", .fallback = 1024, .low = 32, .high = 8192, .help = "texels"},
       {.name = "shadow.bias", .fallback = 0.5, .low = 0, .high = 2, .help = "texels"},
@@ -21,7 +21,7 @@ Settings example() {
 }  // namespace
 
 TEST_CASE("settings start at their defaults") {
-  const Settings settings = example();
+  const Settings settings = shadow_settings();
   CHECK(settings.integer("shadow.resolution") == 1024);
   CHECK(settings.real("shadow.bias") == 0.5);
   CHECK(settings.choice("shadow.kind") == "slope");
@@ -29,7 +29,7 @@ TEST_CASE("settings start at their defaults") {
 }
 
 TEST_CASE("settings are set from text and from values, ends of ranges included") {
-  Settings settings = example();
+  Settings settings = shadow_settings();
   settings.set("shadow.resolution", "32");
   CHECK(settings.integer("shadow.resolution") == 32);
   settings.set("shadow.resolution", SettingValue(8192));
@@ -73,7 +73,7 @@ TEST_CASE("settings refuse text with the value and what is allowed") {
       {"fog", "64", "known are shadow.resolution, shadow.bias, shadow.kind, shadow.on, shadow.format"},
   };
   for (const Row& row : rows) {
-    Settings settings = example();
+    Settings settings = shadow_settings();
     const std::string message = error_of([&] { settings.set(row.name, row.text); });
     INFO(row.name << " = " << row.text << " -> " << message);
     CHECK(message.find(row.words) != std::string::npos);
@@ -97,7 +97,7 @@ TEST_CASE("typed values do not convert, except a whole number to a real or to a 
       {"shadow.kind", SettingValue(std::string("box")), "'box' is not allowed"},
   };
   for (const Row& row : rows) {
-    Settings settings = example();
+    Settings settings = shadow_settings();
     const std::string message = error_of([&] { settings.set(row.name, row.value); });
     INFO(row.name << " -> " << message);
     CHECK(message.find(row.words) != std::string::npos);
@@ -111,9 +111,9 @@ TEST_CASE("settings refuse a wrong declaration and a wrong reading") {
         }) == "setting 'a' is declared twice");
   CHECK(error_of([] { Settings({{.name = "a", .fallback = 3, .low = 0, .high = 2}}); }) ==
         "setting 'a': 3 is not allowed; it takes 0..2");
-  CHECK(error_of([] { example().flag("shadow.bias"); }) ==
+  CHECK(error_of([] { shadow_settings().flag("shadow.bias"); }) ==
         "setting 'shadow.bias' is a number, and was read as on or off");
-  CHECK(error_of([] { example().integer("shadow"); }).find("unknown setting 'shadow'") == 0);
+  CHECK(error_of([] { shadow_settings().integer("shadow"); }).find("unknown setting 'shadow'") == 0);
 }
 
 TEST_CASE("edit distance counts insertions, deletions, replacements and swaps") {

@@ -17,13 +17,13 @@ constexpr const char* cases = R"({"schema": 1, "step": "01-move", "title": "Move
 constexpr const char* hints = R"({"schema": 1, "step": "01-move",
   "functions": {"turn": ["turn idea", "turn answer"], "shift": ["shift idea", "shift answer"]}})";
 
-struct Course {
+struct HintedCourse {
   TemporaryFolder root;
   ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
   CourseStep step{.name = "01-move"};
   ProgressRecord record;
 
-  Course() {
+  HintedCourse() {
     write_file(folders.case_file("01-move"), std::string_view(cases));
     write_file(folders.hints_file("01-move"), std::string_view(hints));
   }
@@ -37,7 +37,7 @@ using Texts = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("each call says more, and stays at the last level") {
-  Course course;
+  HintedCourse course;
   struct Row {
     int level;
     Texts texts;
@@ -55,7 +55,7 @@ TEST_CASE("each call says more, and stays at the last level") {
 }
 
 TEST_CASE("without a name the first case that did not pass is helped with") {
-  Course course;
+  HintedCourse course;
   const auto chosen = [&] { return hint_at(course.folders, course.step, "", course.record, 1).case_name; };
   CHECK(chosen() == "one");
   course.checked(true, false, false);
@@ -66,7 +66,7 @@ TEST_CASE("without a name the first case that did not pass is helped with") {
 }
 
 TEST_CASE("a function whose own cases have passed needs no hint") {
-  Course course;
+  HintedCourse course;
   CHECK(hint_at(course.folders, course.step, "both", course.record, 2).functions == Texts{"turn", "shift"});
   course.checked(true, false, false);
   CHECK(hint_at(course.folders, course.step, "both", course.record, 2).texts == Texts{"shift idea"});
@@ -74,21 +74,21 @@ TEST_CASE("a function whose own cases have passed needs no hint") {
 }
 
 TEST_CASE("a case that names no function has one hint") {
-  Course course;
+  HintedCourse course;
   const Hint hint = hint_at(course.folders, course.step, "given", course.record, 3);
   CHECK(hint.level == 1);
   CHECK(hint.levels == 1);
 }
 
 TEST_CASE("a hint says where it stands and how to get the next") {
-  Course course;
+  HintedCourse course;
   const std::string text = hint_text(hint_at(course.folders, course.step, "one", course.record, 2), 80);
   CHECK(mentions(text, {"one", "hint 2 of 3", "turn", "turn idea", "./atelier hint 01 one"}));
   CHECK(mentions(hint_text(hint_at(course.folders, course.step, "one", course.record, 3), 80), {"last"}));
 }
 
 TEST_CASE("a broken file of hints is refused with file and member") {
-  Course course;
+  HintedCourse course;
   const auto file = course.folders.hints_file("01-move");
   const judge::CaseFile known = judge::read_case_file(course.folders.case_file("01-move"));
   struct Row {

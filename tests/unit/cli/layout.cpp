@@ -12,11 +12,11 @@ using atelier::test::mentions;
 
 namespace {
 
-const std::vector<CourseStep> course = {{.name = "00-hello"},
-                                        {.name = "01-transforms"},
-                                        {.name = "02-blinn-phong"},
-                                        {.name = "08-post-processing"},
-                                        {.name = "12-gallery"}};
+const std::vector<CourseStep> course_of_names = {{.name = "00-hello"},
+                                                 {.name = "01-transforms"},
+                                                 {.name = "02-blinn-phong"},
+                                                 {.name = "08-post-processing"},
+                                                 {.name = "12-gallery"}};
 
 constexpr const char* flags = R"({
   "compiler": "g++", "compiler_version": "GNU 12", "compile": [], "link": [],
@@ -39,20 +39,20 @@ TEST_CASE("a step is found by number, name and part") {
                          {"phong", "02-blinn-phong"},
                          {"post", "08-post-processing"}}) {
     INFO(row.text);
-    CHECK(resolve_step(course, row.text).name == row.name);
+    CHECK(resolve_step(course_of_names, row.text).name == row.name);
   }
-  CHECK(mentions(error_of([] { resolve_step(course, "blin-phong"); }), {"blin-phong", "none"}));
-  CHECK(mentions(error_of([] { resolve_step(course, "-"); }), {"may be", "00-hello or 01-transforms"}));
-  CHECK(mentions(error_of([] { resolve_step(course, ""); }), {"none"}));
-  CHECK(mentions(error_of([] { resolve_step(course, "99999999999999999999"); }), {"none"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "blin-phong"); }), {"blin-phong", "none"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "-"); }), {"may be", "00-hello or 01-transforms"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, ""); }), {"none"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "99999999999999999999"); }), {"none"}));
 }
 
 TEST_CASE("several steps come in the order of the course, once each") {
-  const auto steps = resolve_steps(course, {"phong", "0", "2"});
+  const auto steps = resolve_steps(course_of_names, {"phong", "0", "2"});
   REQUIRE(steps.size() == 2);
   CHECK(steps[0].name == "00-hello");
   CHECK(steps[1].name == "02-blinn-phong");
-  CHECK(resolve_steps(course, {}).size() == course.size());
+  CHECK(resolve_steps(course_of_names, {}).size() == course_of_names.size());
 }
 
 TEST_CASE("the course is read from what CMake has written") {

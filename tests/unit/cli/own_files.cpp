@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const CourseStep step{
+const CourseStep handed_in{
     .name = "01-move", .title = "Move", .files = {"move.cpp", "move.glsl"}, .headers = {}, .uses = {}};
 
 struct Home {
@@ -33,7 +33,7 @@ struct Home {
 
 TEST_CASE("exactly the student's files are handed in") {
   const Home home;
-  const grade::PackedFiles files = read_own_files(home.folders, step);
+  const grade::PackedFiles files = read_own_files(home.folders, handed_in);
   REQUIRE(files.size() == 2);
   CHECK(files.at("01-move/move.cpp").bytes == "int a;\n");
   CHECK(files.at("01-move/move.glsl").bytes == "float b;\n");
@@ -41,7 +41,7 @@ TEST_CASE("exactly the student's files are handed in") {
 
 TEST_CASE("a file that grade would not take is not handed in") {
   const Home home;
-  const auto error = [&] { return error_of([&] { read_own_files(home.folders, step); }); };
+  const auto error = [&] { return error_of([&] { read_own_files(home.folders, handed_in); }); };
   fs::remove(home.mine("move.glsl"));
   CHECK(mentions(error(), {"move.glsl", "is missing"}));
   fs::create_symlink("move.cpp", home.mine("move.glsl"));

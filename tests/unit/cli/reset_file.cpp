@@ -9,8 +9,8 @@ using atelier::test::mentions;
 
 namespace {
 
-const std::vector<CourseStep> course = {{.name = "01-move", .files = {"move.cpp", "common.glsl"}},
-                                        {.name = "02-light", .files = {"light.cpp", "common.glsl"}}};
+const std::vector<CourseStep> course_of_files = {{.name = "01-move", .files = {"move.cpp", "common.glsl"}},
+                                                 {.name = "02-light", .files = {"light.cpp", "common.glsl"}}};
 
 std::string text_of(const std::filesystem::path& file) {
   return read_file(file);
@@ -31,9 +31,11 @@ TEST_CASE("a student's file is found by its path, its step or its name") {
                          {"move.cpp", "01-move/move.cpp"},
                          {"01/common.glsl", "01-move/common.glsl"}}) {
     INFO(row.text);
-    CHECK(find_student_file(folders, course, row.text).below_steps() == row.file);
+    CHECK(find_student_file(folders, course_of_files, row.text).below_steps() == row.file);
   }
-  const auto error = [&](const char* text) { return error_of([&] { find_student_file(folders, course, text); }); };
+  const auto error = [&](const char* text) {
+    return error_of([&] { find_student_file(folders, course_of_files, text); });
+  };
   CHECK(mentions(error("common.glsl"), {"say which", "01-move/common.glsl or 02-light/common.glsl"}));
   CHECK(mentions(error("mvoe.cpp"), {"mvoe.cpp", "01-move/move.cpp"}));
   CHECK(mentions(error("02/move.cpp"), {"02/move.cpp", "02-light/light.cpp"}));

@@ -15,23 +15,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string name = "01-move/move.cpp";
+const std::string skeleton = "01-move/move.cpp";
 
 /// A folder in which a release was unpacked.
-struct Project {
+struct Unpacked {
   TemporaryFolder folder;
   ProjectFolders folders{.root = folder.path(), .build = folder.path() / "build"};
 
-  void release(const std::string& text) const { write_file(folders.skeletons() / name, text); }
+  void release(const std::string& text) const { write_file(folders.skeletons() / skeleton, text); }
   void edit(const std::string& text) const { write_file(mine(), text); }
   std::vector<std::string> update() const { return update_skeletons(folders); }
 
-  fs::path mine() const { return folders.steps() / name; }
+  fs::path mine() const { return folders.steps() / skeleton; }
   std::string beside(const std::string& ending) const {
     const fs::path path = mine().string() + ending;
     return fs::exists(path) ? read_file(path) : "(none)";
   }
-  SkeletonState state() const { return skeleton_state(folders.steps(), read_skeleton_record(folders.steps()), name); }
+  SkeletonState state() const {
+    return skeleton_state(folders.steps(), read_skeleton_record(folders.steps()), skeleton);
+  }
 };
 
 /// PATH without any program, until the end of the scope.
@@ -62,13 +64,13 @@ const std::string edited_there = "// a: my own\n\nint move();\n\n// b\n\n// c\n"
 }  // namespace
 
 TEST_CASE("without skeletons there is nothing to do") {
-  const Project project;
+  const Unpacked project;
   CHECK(project.update().empty());
   CHECK(fs::is_empty(project.folder.path()));
 }
 
 TEST_CASE("a missing file is given, once, and again where it was deleted") {
-  const Project project;
+  const Unpacked project;
   project.release(first);
   CHECK(mentions(project.update().at(0), {"steps/01-move/move.cpp"}));
   CHECK(read_file(project.mine()) == first);
@@ -86,7 +88,7 @@ TEST_CASE("a missing file is given, once, and again where it was deleted") {
 }
 
 TEST_CASE("an untouched file becomes the new skeleton") {
-  const Project project;
+  const Unpacked project;
   project.release(first);
   project.update();
   project.release(second);
@@ -97,7 +99,7 @@ TEST_CASE("an untouched file becomes the new skeleton") {
 }
 
 TEST_CASE("a file that is the new skeleton already stays without a word") {
-  const Project project;
+  const Unpacked project;
   project.release(first);
   project.update();
   project.release(second);
@@ -108,7 +110,7 @@ TEST_CASE("a file that is the new skeleton already stays without a word") {
 
 TEST_CASE("changes of the student and of the release are merged, and the student's file is kept") {
   if (!has_git()) SKIP_TEST("no git");
-  const Project project;
+  const Unpacked project;
   project.release(first);
   project.update();
   project.edit(edited);
@@ -125,7 +127,7 @@ TEST_CASE("changes of the student and of the release are merged, and the student
     CHECK(project.beside(".before-merge-2") == both);
   }
   SECTION("a run that was cut off before it had noted what was given ends the same") {
-    write_file(project.folders.given() / name, first);
+    write_file(project.folders.given() / skeleton, first);
     CHECK(project.update().empty());
     CHECK(read_file(project.mine()) == both);
     CHECK(project.beside(".before-merge-2") == "(none)");
@@ -133,7 +135,7 @@ TEST_CASE("changes of the student and of the release are merged, and the student
 }
 
 TEST_CASE("where both have changed the same lines the new skeleton lies beside") {
-  const Project project;
+  const Unpacked project;
   project.release(first);
   project.update();
   project.edit(edited_there);
@@ -155,7 +157,7 @@ TEST_CASE("where both have changed the same lines the new skeleton lies beside")
 TEST_CASE("without git the new skeleton lies beside an edited file, and replaces an untouched one") {
   const NoPrograms without_git;
   REQUIRE_FALSE(has_git());
-  const Project project;
+  const Unpacked project;
   project.release(first);
   project.update();
   SECTION("edited") {
@@ -175,7 +177,7 @@ TEST_CASE("without git the new skeleton lies beside an edited file, and replaces
 }
 
 TEST_CASE("a file of which it is not known what was given stays") {
-  const Project project;  // a release unpacked afresh, and last week's work copied into it
+  const Unpacked project;  // a release unpacked afresh, and last week's work copied into it
   project.release(second);
   project.edit(edited);
   CHECK(mentions(project.update().at(0), {"move.cpp.new"}));

@@ -9,17 +9,15 @@
 #include "gl/objects.hpp"
 #include "gl/shader.hpp"
 #include "gl/texel.hpp"
+#include "shader_text.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;
 using atelier::test::mentions;
 using atelier::test::on_every_context;
+using atelier::test::shader_text;
 
 namespace {
-
-ShaderSource source(const std::string& text) {
-  return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, text, "test", {});
-}
 
 bool names_a_texture(Gl& gl, GLuint id) {
   // A deleted texture's name is free again: core contexts refuse to bind what GenTextures has not handed out.
@@ -38,8 +36,8 @@ TEST_CASE("A function that the context lacks is named") {
 
 TEST_CASE("Draws, triangles, programs and clears are counted") {
   on_every_context([](Gl& gl) {
-    const GlProgram program = build_program(gl, source("void main() { gl_Position = vec4(0); }"),
-                                            source("out vec4 o; void main() { o = vec4(1); }"));
+    const GlProgram program = build_program(gl, shader_text("void main() { gl_Position = vec4(0); }"),
+                                            shader_text("out vec4 o; void main() { o = vec4(1); }"));
     CHECK(gl.counts().programs_linked == 1);
     const GlVertexArray vertices(gl);
     const GlBuffer indices(gl);

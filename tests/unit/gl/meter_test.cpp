@@ -7,22 +7,20 @@
 #include "gl/objects.hpp"
 #include "gl/shader.hpp"
 #include "gl/target.hpp"
+#include "shader_text.hpp"
 
 using namespace atelier;
 using atelier::test::on_every_context;
+using atelier::test::shader_text;
 
 namespace {
-
-ShaderSource source(const std::string& text) {
-  return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, text, "test", {});
-}
 
 /// A program that draws nothing to be seen. What `vertex` and `fragment` read reaches the picture, or a driver would
 /// leave it out.
 GlProgram program(Gl& gl, const std::string& inputs = "", const std::string& vertex = "vec4(0.0)",
                   const std::string& samplers = "", const std::string& fragment = "vec4(1.0)") {
-  return build_program(gl, source(inputs + "void main() { gl_Position = " + vertex + "; }"),
-                       source(samplers + "out vec4 o; void main() { o = " + fragment + "; }"));
+  return build_program(gl, shader_text(inputs + "void main() { gl_Position = " + vertex + "; }"),
+                       shader_text(samplers + "out vec4 o; void main() { o = " + fragment + "; }"));
 }
 
 GlTexture texture(Gl& gl, GLenum format, int width, int height) {

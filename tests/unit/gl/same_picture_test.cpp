@@ -5,17 +5,16 @@
 #include "contexts.hpp"
 #include "gl/shader.hpp"
 #include "gl/target.hpp"
+#include "shader_text.hpp"
 
 using namespace atelier;
+using atelier::test::shader_text;
 
 namespace {
 
 /// A shaded triangle with depth, transcendental functions and sloping edges: what drivers like to differ in.
 Image triangle(Gl& gl) {
-  const auto text = [](const std::string& glsl) {
-    return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, glsl, "triangle", {});
-  };
-  const GlProgram program = build_program(gl, text(R"(
+  const GlProgram program = build_program(gl, shader_text(R"(
 out vec3 v_weights;
 void main() {
   vec2 corners[3] = vec2[](vec2(-0.83, -0.71), vec2(0.91, -0.47), vec2(-0.13, 0.87));
@@ -23,7 +22,7 @@ void main() {
   gl_Position = vec4(corners[gl_VertexID], 0.3 * float(gl_VertexID), 1.0 + 0.7 * float(gl_VertexID));
 }
 )"),
-                                          text(R"(
+                                          shader_text(R"(
 in vec3 v_weights;
 out vec4 o_colour;
 void main() {

@@ -5,17 +5,15 @@
 #include "catch.hpp"
 #include "contexts.hpp"
 #include "gl/target.hpp"
+#include "shader_text.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;
 using atelier::test::mentions;
 using atelier::test::on_every_context;
+using atelier::test::shader_text;
 
 namespace {
-
-ShaderSource text(const std::string& glsl, const std::string& label = "test", const Defines& defines = {}) {
-  return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, glsl, label, defines);
-}
 
 const std::string corner = "void main() { gl_Position = vec4(0, 0, 0, 1); }\n";
 const std::string white = "out vec4 o;\nvoid main() { o = vec4(1); }\n";
@@ -26,7 +24,7 @@ std::string refusal(Gl& gl, const std::map<std::string, std::string>& files, con
   for (const auto& [name, glsl] : files) write_file(folder.path() / name, glsl);
   const ShaderSource fragment =
       assemble_shader([&](const std::string& name) { return folder.path() / name; }, "main.glsl", defines);
-  return error_of([&] { build_program(gl, text(corner), fragment); });
+  return error_of([&] { build_program(gl, shader_text(corner), fragment); });
 }
 
 /// The only pixel that a program draws over everything.
@@ -96,8 +94,8 @@ TEST_CASE("An empty shader, a type that does not exist and a broken define are r
 TEST_CASE("Stages that do not fit together are named") {
   on_every_context([](Gl& gl) {
     const std::string message = error_of([&] {
-      build_program(gl, text("out vec3 v_a;\n" + corner, "surface vertex shader"),
-                    text("in vec4 v_a;\nout vec4 o;\nvoid main() { o = v_a; }\n", "surface fragment shader"));
+      build_program(gl, shader_text("out vec3 v_a;\n" + corner, "surface vertex shader"),
+                    shader_text("in vec4 v_a;\nout vec4 o;\nvoid main() { o = v_a; }\n", "surface fragment shader"));
     });
     CHECK(mentions(message, {"surface vertex shader", "surface fragment shader", "v_a"}));
   });
@@ -106,18 +104,19 @@ TEST_CASE("Stages that do not fit together are named") {
 TEST_CASE("A refused shader leaves nothing bound or broken") {
   on_every_context([](Gl& gl) {
     for (int round = 0; round < 3; ++round) CHECK(refusal(gl, {{"main.glsl", "wrong\n"}}) != "");
-    CHECK(drawn(gl, build_program(gl, text(everywhere), text(white)).id()) == Rgba{1, 1, 1, 1});
+    CHECK(drawn(gl, build_program(gl, shader_text(everywhere), shader_text(white)).id()) == Rgba{1, 1, 1, 1});
   });
 }
 
 TEST_CASE("A geometry shader takes part where it is given") {
   on_every_context([](Gl& gl) {
-    const ShaderSource geometry = text(
+    const ShaderSource geometry = shader_text(
         "layout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\nflat out float v_seen;\n"
         "void main() {\n  for (int i = 0; i < 3; ++i) {\n    v_seen = 0.5;\n"
         "    gl_Position = gl_in[i].gl_Position;\n    EmitVertex();\n  }\n}\n");
-    const ShaderSource fragment = text("flat in float v_seen;\nout vec4 o;\nvoid main() { o = vec4(v_seen); }\n");
-    const GlProgram program = build_program(gl, text(everywhere), fragment, &geometry);
+    const ShaderSource fragment =
+        shader_text("flat in float v_seen;\nout vec4 o;\nvoid main() { o = vec4(v_seen); }\n");
+    const GlProgram program = build_program(gl, shader_text(everywhere), fragment, &geometry);
     CHECK(drawn(gl, program.id()) == Rgba{0.5f, 0.5f, 0.5f, 0.5f});
   });
 }
@@ -125,20 +124,20 @@ TEST_CASE("A geometry shader takes part where it is given") {
 TEST_CASE("Defines reach the shader") {
   on_every_context([](Gl& gl) {
     const ShaderSource fragment =
-        text("out vec4 o;\nvoid main() { o = vec4(SHADE, 1); }\n", "test", {{"SHADE", "vec3(0.25, 0.5, 0.75)"}});
-    CHECK(drawn(gl, build_program(gl, text(everywhere), fragment).id()) == Rgba{0.25f, 0.5f, 0.75f, 1});
+        shader_text("out vec4 o;\nvoid main() { o = vec4(SHADE, 1); }\n", "test", {{"SHADE", "vec3(0.25, 0.5, 0.75)"}});
+    CHECK(drawn(gl, build_program(gl, shader_text(everywhere), fragment).id()) == Rgba{0.25f, 0.5f, 0.75f, 1});
   });
 }
 
 TEST_CASE("Uniforms of every type are set by name, and unused names are passed over") {
   on_every_context([](Gl& gl) {
-    const ShaderSource fragment = text(
+    const ShaderSource fragment = shader_text(
         "uniform int u_int;\nuniform bool u_bool;\nuniform float u_float;\nuniform vec2 u_two;\nuniform vec3 u_three;\n"
         "uniform vec4 u_four;\nuniform mat3 u_matrix3;\nuniform mat4 u_matrix4;\nout vec4 o;\n"
         "void main() {\n"
         "  o = vec4(u_bool ? float(u_int) : -1.0, u_float + u_two.y, u_three.z + u_four.w,\n"
         "           u_matrix3[0][2] + u_matrix4[3][1]);\n}\n");
-    const GlProgram program = build_program(gl, text(everywhere), fragment);
+    const GlProgram program = build_program(gl, shader_text(everywhere), fragment);
     Uniforms uniforms(gl, program.id());
     gl.UseProgram(program.id());
     uniforms.set("u_int", 7);

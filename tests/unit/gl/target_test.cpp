@@ -6,11 +6,13 @@
 #include "catch.hpp"
 #include "contexts.hpp"
 #include "gl/shader.hpp"
+#include "shader_text.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;
 using atelier::test::mentions;
 using atelier::test::on_every_context;
+using atelier::test::shader_text;
 
 namespace {
 
@@ -27,10 +29,6 @@ void fill(Gl& gl, int x, int y, int width, int height, const Rgba& value) {
   gl.Scissor(x, y, width, height);
   gl.ClearBufferfv(GL_COLOR, 0, &value.r);
   gl.Disable(GL_SCISSOR_TEST);
-}
-
-ShaderSource text(const std::string& glsl) {
-  return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, glsl, "test", {});
 }
 
 }  // namespace
@@ -67,8 +65,9 @@ TEST_CASE("Floats come back as they were drawn, whatever they are") {
 TEST_CASE("What a shader writes survives too: NaN, infinity, above one and below zero") {
   on_every_context([](Gl& gl) {
     const GlProgram program = build_program(
-        gl, text("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"),
-        text(
+        gl,
+        shader_text("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"),
+        shader_text(
             "uniform float u_zero;\nout vec4 o;\nvoid main() { o = vec4(u_zero / u_zero, 1.0 / u_zero, 7.5, -2.0); }"));
     const Target target(gl, {.width = 1, .height = 1, .depth = DepthFormat::none});
     target.bind(gl);

@@ -32,14 +32,14 @@ Image scaled(const Image& image, double by) {
   return changed(image, [by](const Rgba& p) { return Rgba{float(p.r * by), float(p.g * by), float(p.b * by), p.a}; });
 }
 
-struct Row {
+struct PictureRow {
   const char* name;
   Image picture;
   std::string_view word;  ///< in the sentence
 };
 
-void check_rows(const std::vector<Row>& rows, const Image& reference, const JudgedCase& c) {
-  for (const Row& row : rows) {
+void check_picture_rows(const std::vector<PictureRow>& rows, const Image& reference, const JudgedCase& c) {
+  for (const PictureRow& row : rows) {
     INFO(row.name << ": " << row.word);
     const auto found = explained(row.picture, reference, c);
     REQUIRE(found.has_value());
@@ -53,7 +53,7 @@ void check_rows(const std::vector<Row>& rows, const Image& reference, const Judg
 TEST_CASE("colours: mirrors, shifts, channels, encodings and gains are found") {
   const Image right = draw({});
   const int last = right.width() - 1;
-  std::vector<Row> rows{
+  std::vector<PictureRow> rows{
       {"flipped-y", moved(right, [=](int x, int y) { return glm::ivec2(x, last - y); }), "head"},
       {"flipped-x", moved(right, [=](int x, int y) { return glm::ivec2(last - x, y); }), "left to right"},
       {"rotated-180", moved(right, [=](int x, int y) { return glm::ivec2(last - x, last - y); }), "half a turn"},
@@ -79,7 +79,7 @@ TEST_CASE("colours: mirrors, shifts, channels, encodings and gains are found") {
       {"gain", scaled(right, 1 / std::numbers::pi), "3.14 times too dark (that is 1/pi)"},
       {"gain", scaled(right, 1.1), "1.1 times too bright"},
   };
-  check_rows(rows, right, picture_case());
+  check_picture_rows(rows, right, picture_case());
 }
 
 TEST_CASE("colours: an operation is found under the noise of another processor, and with wrong edges") {
@@ -88,46 +88,46 @@ TEST_CASE("colours: an operation is found under the noise of another processor, 
   Drawing jittered;
   jittered.offset_x = jittered.offset_y = 1 / 64.0;
   const Image upside_down = moved(with_noise(draw(jittered), 1), [=](int x, int y) { return glm::ivec2(x, last - y); });
-  check_rows({{"flipped-y", upside_down, "head"}}, right, picture_case());
+  check_picture_rows({{"flipped-y", upside_down, "head"}}, right, picture_case());
 }
 
 TEST_CASE("encoded colours: linear values where encoded ones are asked for") {
   const Image linear = draw({}), encoded = changed(linear, each([](float v) { return srgb_encode(v); }));
   const JudgedCase c = picture_case(Profile::strict, Unit::encoded);
-  check_rows({{"not-encoded", linear, "linear values"},
-              {"encoded-twice", changed(encoded, each([](float v) { return srgb_encode(v); })), "twice"}},
-             encoded, c);
+  check_picture_rows({{"not-encoded", linear, "linear values"},
+                      {"encoded-twice", changed(encoded, each([](float v) { return srgb_encode(v); })), "twice"}},
+                     encoded, c);
 }
 
 TEST_CASE("directions: signs and packing") {
   const Image right = draw_normals({});
-  check_rows({{"negated", changed(right, each([](float v) { return 1 - v; })), "all three"},
-              {"negated-y",
-               changed(right,
-                       [](const Rgba& p) {
-                         return Rgba{p.r, 1 - p.g, p.b, 1};
-                       }),
-               "green"},
-              {"negated-z",
-               changed(right,
-                       [](const Rgba& p) {
-                         return Rgba{p.r, p.g, 1 - p.b, 1};
-                       }),
-               "z is"},
-              {"not-packed", changed(right, each([](float v) { return 2 * v - 1; })), "n/2 + 1/2"},
-              {"packed-twice", changed(right, each([](float v) { return v / 2 + 0.5f; })), "twice"},
-              {"flipped-y", moved(right, [](int x, int y) { return glm::ivec2(x, 191 - y); }), "head"}},
-             right, picture_case(Profile::strict, Unit::degrees, 1, 4));
+  check_picture_rows({{"negated", changed(right, each([](float v) { return 1 - v; })), "all three"},
+                      {"negated-y",
+                       changed(right,
+                               [](const Rgba& p) {
+                                 return Rgba{p.r, 1 - p.g, p.b, 1};
+                               }),
+                       "green"},
+                      {"negated-z",
+                       changed(right,
+                               [](const Rgba& p) {
+                                 return Rgba{p.r, p.g, 1 - p.b, 1};
+                               }),
+                       "z is"},
+                      {"not-packed", changed(right, each([](float v) { return 2 * v - 1; })), "n/2 + 1/2"},
+                      {"packed-twice", changed(right, each([](float v) { return v / 2 + 0.5f; })), "twice"},
+                      {"flipped-y", moved(right, [](int x, int y) { return glm::ivec2(x, 191 - y); }), "head"}},
+                     right, picture_case(Profile::strict, Unit::degrees, 1, 4));
 }
 
 TEST_CASE("data: ranges and factors") {
   const Image depth = draw_depth({});
   const Image right = changed(depth, each([](float v) { return v / 41; }));
-  check_rows({{"complement", changed(right, each([](float v) { return 1 - v; })), "1 - v"},
-              {"signed-range", changed(right, each([](float v) { return 2 * v - 1; })), "-1..1"},
-              {"halved-range", changed(right, each([](float v) { return v / 2 + 0.5f; })), "v/2 + 1/2"},
-              {"gain", scaled(right, 1 / 3.0), "1/3"}},
-             right, picture_case(Profile::strict, Unit::number, 0.001, 4));
+  check_picture_rows({{"complement", changed(right, each([](float v) { return 1 - v; })), "1 - v"},
+                      {"signed-range", changed(right, each([](float v) { return 2 * v - 1; })), "-1..1"},
+                      {"halved-range", changed(right, each([](float v) { return v / 2 + 0.5f; })), "v/2 + 1/2"},
+                      {"gain", scaled(right, 1 / 3.0), "1/3"}},
+                     right, picture_case(Profile::strict, Unit::number, 0.001, 4));
 }
 
 TEST_CASE("what no operation explains stays unexplained") {

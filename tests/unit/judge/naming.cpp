@@ -17,7 +17,7 @@ struct Wrong {
   void (*respelled)(Drawing&);  ///< the same mistake, made in another way
 };
 
-const std::vector<Wrong> mistakes{
+const std::vector<Wrong> wrongs{
     {"exponent", [](Drawing& d) { d.exponent = 36; }, [](Drawing& d) { d.exponent = 36.5; }},
     {"half-texel", [](Drawing& d) { d.texel_offset = 0.5; }, [](Drawing& d) { d.texel_offset = 0.48; }},
     {"nearest", [](Drawing& d) { d.nearest = true; }, [](Drawing& d) { d.nearest = d.reformulated = true; }},
@@ -50,7 +50,7 @@ Image draw_wrong(Drawing drawing, void (*apply)(Drawing&)) {
 std::vector<AtlasPicture> atlas_of(const Drawing& view, const char* without = "") {
   std::vector<AtlasPicture> atlas;
   const Image right = atlas_form(draw(view), true);
-  for (const Wrong& wrong : mistakes)
+  for (const Wrong& wrong : wrongs)
     if (std::string(without) != wrong.name)
       atlas.push_back({wrong.name, atlas_form(draw_wrong(view, wrong.apply), true), right, true});
   return atlas;
@@ -65,7 +65,7 @@ TEST_CASE("the same view: every mistake is recognised in another spelling, and w
   const Drawing view;
   const std::vector<AtlasPicture> atlas = atlas_of(view);
   const Image right = draw(view);
-  for (const Wrong& wrong : mistakes) {
+  for (const Wrong& wrong : wrongs) {
     INFO(wrong.name);
     CHECK(name_of(draw_wrong(view, wrong.respelled), right, atlas) == wrong.name);
     CHECK(name_of(with_noise(draw_wrong(view, wrong.apply), 1), right, atlas) == wrong.name);
@@ -75,7 +75,7 @@ TEST_CASE("the same view: every mistake is recognised in another spelling, and w
 TEST_CASE("the same view: what is not in the atlas gets no name") {
   const Drawing view;
   const Image right = draw(view);
-  for (const Wrong& wrong : mistakes) {
+  for (const Wrong& wrong : wrongs) {
     INFO(wrong.name);
     CHECK(name_of(draw_wrong(view, wrong.apply), right, atlas_of(view, wrong.name)) == "");
   }
@@ -91,9 +91,9 @@ TEST_CASE("two mistakes that look alike get no name") {
   const Image right = draw(view);
   std::vector<AtlasPicture> atlas = atlas_of(view);
   atlas.push_back(
-      {"half-texel-too", atlas_form(draw_wrong(view, mistakes[1].respelled), true), atlas[0].reference, true});
-  CHECK(name_of(draw_wrong(view, mistakes[1].apply), right, atlas) == "");
-  CHECK(name_of(draw_wrong(view, mistakes[2].apply), right, atlas) == "nearest");
+      {"half-texel-too", atlas_form(draw_wrong(view, wrongs[1].respelled), true), atlas[0].reference, true});
+  CHECK(name_of(draw_wrong(view, wrongs[1].apply), right, atlas) == "");
+  CHECK(name_of(draw_wrong(view, wrongs[2].apply), right, atlas) == "nearest");
 }
 
 TEST_CASE("other views: names are right, most mistakes get one, and none when theirs is not in the atlas") {
@@ -106,7 +106,7 @@ TEST_CASE("other views: names are right, most mistakes get one, and none when th
       view.yaw = yaw;
       view.light_yaw = light;
       const Image right = draw(view);
-      for (const Wrong& wrong : mistakes) {
+      for (const Wrong& wrong : wrongs) {
         INFO(wrong.name << " from " << yaw << " lit from " << light);
         const Image yours = draw_wrong(view, wrong.apply);
         const std::string name = name_of(yours, right, atlas);
@@ -165,7 +165,6 @@ TEST_CASE("probes: a mistake is named by its numbers, where no other mistake has
   c.profile = Profile::values;
   c.tolerance.absolute = 1e-3;
   c.ask.inputs.resize(2);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::map<std::string, std::vector<Numbers>> wrong{
       {"doubled", {{2, 4}, {6, 8}}}, {"divides-by-zero", {{1, nan}, {3, 4}}}, {"zero", {{0, 0}, {0, 0}}}};
   CHECK(recognise_values({{2.0005, 4}, {6, 8}}, wrong, c) == "doubled");

@@ -12,9 +12,6 @@ namespace {
 
 using atelier::test::mentions;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
 TEST_CASE("a number is right within its absolute, relative or ulp tolerance") {
   struct Row {
     const char* name;

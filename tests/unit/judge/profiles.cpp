@@ -25,7 +25,7 @@ Image drawn_with(Change change) {
   return draw(drawing);
 }
 
-struct Row {
+struct Drawn {
   const char* name;
   Image picture;
 };
@@ -38,7 +38,7 @@ const Image& right_picture() {
 // Three times the worst correct variant, as the rule for budgets has it: the jitter below puts 5 pixels over delta.
 constexpr int budget = 15;
 
-std::vector<Row> right_rows() {
+std::vector<Drawn> right_rows() {
   return {
       {"the very picture", right_picture()},
       {"noise of 1/255", with_noise(right_picture(), 1)},
@@ -47,7 +47,7 @@ std::vector<Row> right_rows() {
   };
 }
 
-std::vector<Row> wrong_rows() {
+std::vector<Drawn> wrong_rows() {
   return {
       {"exponent 36 for 32", drawn_with([](Drawing& d) { d.exponent = 36; })},
       {"half a texel beside", drawn_with([](Drawing& d) { d.texel_offset = 0.5; })},
@@ -65,7 +65,7 @@ std::vector<Row> wrong_rows() {
 TEST_CASE("strict: what is right in another way passes") {
   const JudgedCase c = picture_case(Profile::strict, Unit::colour, 3, budget);
   const StepReferences references = reference_of(right_picture());
-  for (const Row& row : right_rows()) {
+  for (const Drawn& row : right_rows()) {
     INFO(row.name);
     const CaseResult result = judge_case(c, answer_of(row.picture), references);
     CHECK(result.status == Status::passed);
@@ -79,7 +79,7 @@ TEST_CASE("strict: what is right in another way passes") {
 TEST_CASE("strict: what is wrong fails, however small its share") {
   const JudgedCase c = picture_case(Profile::strict, Unit::colour, 3, budget);
   const StepReferences references = reference_of(right_picture());
-  for (const Row& row : wrong_rows()) {
+  for (const Drawn& row : wrong_rows()) {
     INFO(row.name);
     const CaseResult result = judge_case(c, answer_of(row.picture), references);
     CHECK(result.status == Status::failed);
@@ -139,7 +139,7 @@ TEST_CASE("robust: edges may lie elsewhere, areas may not") {
   const auto passes = [&](const Image& picture) {
     return judge_case(c, answer_of(picture), references).status == Status::passed;
   };
-  for (const Row& row : right_rows()) {
+  for (const Drawn& row : right_rows()) {
     INFO(row.name);
     CHECK(passes(row.picture));
   }

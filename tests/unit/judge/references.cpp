@@ -241,7 +241,6 @@ TEST_CASE("probes: numbers by hand or by the solution, and what mistakes answer"
   c.tolerance.absolute = 0.1;
   c.ask.inputs.resize(2);
   c.rejects = {"doubles"};
-  const double infinity = std::numeric_limits<double>::infinity();
   ReferenceMaterial material;
   material.solution = answer_of(std::vector<Numbers>{{4}, {infinity}});
   material.skeleton = answer_of(std::vector<Numbers>{{0}, {infinity}});

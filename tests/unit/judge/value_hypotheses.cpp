@@ -49,7 +49,7 @@ std::vector<Numbers> listed(const std::vector<Matrix>& matrices) {
 }
 
 template <class Change>
-std::vector<Numbers> changed(std::vector<Matrix> matrices, Change change) {
+std::vector<Numbers> changed_matrices(std::vector<Matrix> matrices, Change change) {
   for (Matrix& m : matrices) m = change(m);
   return listed(matrices);
 }
@@ -58,14 +58,14 @@ std::optional<Hypothesis> explained(const std::vector<Numbers>& yours, const std
   return explain_values(yours, expected, case_of(expected.size()));
 }
 
-struct Row {
+struct ValueRow {
   const char* name;
   std::vector<Numbers> yours;
   const char* words;
 };
 
-void check_rows(const std::vector<Row>& rows, const std::vector<Numbers>& expected) {
-  for (const Row& row : rows) {
+void check_value_rows(const std::vector<ValueRow>& rows, const std::vector<Numbers>& expected) {
+  for (const ValueRow& row : rows) {
     INFO(row.name << ": " << row.words);
     const auto found = explained(row.yours, expected);
     REQUIRE(found.has_value());
@@ -95,24 +95,27 @@ TEST_CASE("matrices: transpose, inverse, signs, exchanges, a factor and a consta
     return m;
   };
   const auto times = [](double factor) { return [=](const Matrix& m) { return m * factor; }; };
-  check_rows(
+  check_value_rows(
       {
-          {"transposed", changed(right, [](const Matrix& m) { return glm::transpose(m); }),
+          {"transposed", changed_matrices(right, [](const Matrix& m) { return glm::transpose(m); }),
            "the right matrix transposed"},
-          {"inverse", changed(right, [](const Matrix& m) { return glm::inverse(m); }),
+          {"inverse", changed_matrices(right, [](const Matrix& m) { return glm::inverse(m); }),
            "the inverse of the right matrix"},
-          {"inverse-transpose", changed(right, [](const Matrix& m) { return glm::transpose(glm::inverse(m)); }),
+          {"inverse-transpose",
+           changed_matrices(right, [](const Matrix& m) { return glm::transpose(glm::inverse(m)); }),
            "the inverse transpose of the right matrix"},
-          {"negated", changed(right, times(-1)), "the right numbers with the wrong sign"},
-          {"negated-row", changed(right, row_negated), "the right matrix with its third row negated"},
-          {"negated-column", changed(right, column_negated), "the right matrix with its fourth column negated"},
-          {"swapped-rows", changed(right, rows_exchanged), "the right matrix with its second and third row exchanged"},
-          {"swapped-columns", changed(right, columns_exchanged),
+          {"negated", changed_matrices(right, times(-1)), "the right numbers with the wrong sign"},
+          {"negated-row", changed_matrices(right, row_negated), "the right matrix with its third row negated"},
+          {"negated-column", changed_matrices(right, column_negated),
+           "the right matrix with its fourth column negated"},
+          {"swapped-rows", changed_matrices(right, rows_exchanged),
+           "the right matrix with its second and third row exchanged"},
+          {"swapped-columns", changed_matrices(right, columns_exchanged),
            "the right matrix with its first and fourth column exchanged"},
-          {"gain", changed(right, times(2)), "2 times the right numbers (2)"},
-          {"gain", changed(right, times(std::numbers::pi / 180)), "0.01745 times the right numbers (pi/180)"},
-          {"gain", changed(right, times(1.7)), "1.7 times the right numbers"},
-          {"offset", changed(right, [](const Matrix& m) { return m + 0.5; }),
+          {"gain", changed_matrices(right, times(2)), "2 times the right numbers (2)"},
+          {"gain", changed_matrices(right, times(std::numbers::pi / 180)), "0.01745 times the right numbers (pi/180)"},
+          {"gain", changed_matrices(right, times(1.7)), "1.7 times the right numbers"},
+          {"offset", changed_matrices(right, [](const Matrix& m) { return m + 0.5; }),
            "the right numbers, each too large by 0.5"},
       },
       listed(right));
@@ -142,7 +145,7 @@ TEST_CASE("matrices of nine numbers, and lists of matrices, are explained alike"
 
 TEST_CASE("vectors: signs, exchanges, lengths, factors and the place of w are found") {
   const std::vector<Numbers> units{{0.48, 0.6, 0.64}, {0, -0.6, 0.8}, {2 / 3.0, 1 / 3.0, -2 / 3.0}};
-  check_rows(
+  check_value_rows(
       {
           {"negated",
            {{-0.48, -0.6, -0.64}, {0, 0.6, -0.8}, {-2 / 3.0, -1 / 3.0, 2 / 3.0}},
@@ -157,20 +160,21 @@ TEST_CASE("vectors: signs, exchanges, lengths, factors and the place of w are fo
       },
       units);
 
-  check_rows({{"normalised", {{0.6, 0.8}, {-0.8, 0.6}}, "the right direction, normalised"}}, {{3, 4}, {-8, 6}});
-  check_rows({{"w-first", {{4, 1, 2, 3}}, "the right numbers in the order w, x, y, z, where x, y, z, w is asked for"},
-              {"w-last", {{2, 3, 4, 1}}, "the right numbers in the order x, y, z, w, where w, x, y, z is asked for"}},
-             {{1, 2, 3, 4}});
+  check_value_rows({{"normalised", {{0.6, 0.8}, {-0.8, 0.6}}, "the right direction, normalised"}}, {{3, 4}, {-8, 6}});
+  check_value_rows(
+      {{"w-first", {{4, 1, 2, 3}}, "the right numbers in the order w, x, y, z, where x, y, z, w is asked for"},
+       {"w-last", {{2, 3, 4, 1}}, "the right numbers in the order x, y, z, w, where w, x, y, z is asked for"}},
+      {{1, 2, 3, 4}});
 }
 
 TEST_CASE("single numbers: a factor and a constant are found over several inputs") {
   const std::vector<Numbers> right{{0.1}, {0.4}, {0.9}, {0}};
-  check_rows({{"gain", {{0.05}, {0.2}, {0.45}, {0}}, "0.5 times the right numbers (1/2)"},
-              {"gain",
-               {{18 / std::numbers::pi}, {72 / std::numbers::pi}, {162 / std::numbers::pi}, {0}},
-               "57.3 times the right numbers (180/pi)"},
-              {"offset", {{-0.9}, {-0.6}, {-0.1}, {-1}}, "the right numbers, each too small by 1"}},
-             right);
+  check_value_rows({{"gain", {{0.05}, {0.2}, {0.45}, {0}}, "0.5 times the right numbers (1/2)"},
+                    {"gain",
+                     {{18 / std::numbers::pi}, {72 / std::numbers::pi}, {162 / std::numbers::pi}, {0}},
+                     "57.3 times the right numbers (180/pi)"},
+                    {"offset", {{-0.9}, {-0.6}, {-0.1}, {-1}}, "the right numbers, each too small by 1"}},
+                   right);
 }
 
 TEST_CASE("what fits equally well is said beside") {
@@ -182,7 +186,6 @@ TEST_CASE("what fits equally well is said beside") {
 }
 
 TEST_CASE("what proves nothing, or explains not all, gets no name") {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Numbers symmetric = numbers(glm::scale(Matrix(1), {2, 3, 4}));
   Numbers other = symmetric;
   other[12] = 1, other[13] = 2;
@@ -216,7 +219,7 @@ TEST_CASE("a verdict says the hypothesis first, then the first wrong entry") {
   CaseReferences right;
   right.values = c.expected;
   references.add(c.ask.name, right);
-  const auto yours = changed(places(), [](const Matrix& m) { return glm::transpose(m); });
+  const auto yours = changed_matrices(places(), [](const Matrix& m) { return glm::transpose(m); });
   const CaseResult result = judge_case(c, answer_of(yours), references);
   CHECK(result.hypothesis == "transposed");
   INFO(result.reason);

@@ -13,9 +13,6 @@ namespace {
 using atelier::test::error_of;
 using atelier::test::mentions;
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 StepReferences references_of(const Image& picture) {
   StepReferences references("02-blinn-phong");
   CaseReferences right;

@@ -13,7 +13,7 @@ using nlohmann::json;
 using test::error_of;
 using test::mentions;
 
-json document() {
+json comparison() {
   return {{"baseline", "shadow-demo"},
           {"scene", "cubes"},
           {"size", {80, 60}},
@@ -28,7 +28,7 @@ json document() {
 }  // namespace
 
 TEST_CASE("a comparison with a baseline is read as it is written") {
-  const BaselinePlan plan = parse_baseline_plan(document().dump(), "baseline.json");
+  const BaselinePlan plan = parse_baseline_plan(comparison().dump(), "baseline.json");
   CHECK(plan.program == "shadow-demo");
   CHECK(plan.scene == "cubes");
   CHECK(plan.size == glm::ivec2(80, 60));
@@ -70,7 +70,7 @@ TEST_CASE("a comparison that is wrong is refused, with the place in words") {
       {"a word for a flag", [](json& d) { d["rows"][1]["no_larger_error"] = "yes"; }, {"row 2", "no_larger_error"}},
   };
   for (const Row& row : rows) {
-    json spoiled = document();
+    json spoiled = comparison();
     row.spoil(spoiled);
     const std::string words = error_of([&] { parse_baseline_plan(spoiled.dump(), "baseline.json"); });
     INFO(row.name << ": " << words);

@@ -43,7 +43,7 @@ json front() {
           {"grid", {{"hall.segments", {4, 8}}, {"depth.format", {"16", "24"}}}}};
 }
 
-json document() {
+json whole_plan() {
   return {{"schema", 1},
           {"step", "01-transforms"},
           {"sweeps", {sweep()}},
@@ -70,7 +70,7 @@ struct Row {
 }  // namespace
 
 TEST_CASE("a plan is read as it is written") {
-  const Plan plan = parsed(document());
+  const Plan plan = parsed(whole_plan());
   CHECK(plan.step == "01-transforms");
   REQUIRE(plan.sweeps.size() == 1);
   const Sweep& read = plan.sweeps[0];
@@ -104,7 +104,7 @@ TEST_CASE("a plan is read as it is written") {
 }
 
 TEST_CASE("a truth may be a number, or the program itself") {
-  json d = document();
+  json d = whole_plan();
   d["sweeps"][0]["truth"] = 1;
   d["sweeps"][0]["metric"] = "mean";
   CHECK(parsed(d).sweeps[0].truth.by == Truth::By::value);
@@ -157,7 +157,7 @@ TEST_CASE("a plan that is wrong is refused, with the place in words") {
   };
   for (const Row& row : rows) {
     INFO(row.name);
-    json d = document();
+    json d = whole_plan();
     row.spoil(d);
     const std::string error = error_of([&] { parsed(d); });
     INFO(error);
@@ -167,7 +167,7 @@ TEST_CASE("a plan that is wrong is refused, with the place in words") {
 
 TEST_CASE("a plan must fit its program, and forget nothing") {
   const std::vector<std::string> outputs = {"colour", "position"};
-  CHECK(error_of([&] { check_against(parsed(document()), settings(), outputs); }) == "");
+  CHECK(error_of([&] { check_against(parsed(whole_plan()), settings(), outputs); }) == "");
   const Row rows[] = {
       {"an unknown setting",
        [](json& d) { d["sweeps"][0]["setting"] = "hall.segment"; },
@@ -200,7 +200,7 @@ TEST_CASE("a plan must fit its program, and forget nothing") {
   };
   for (const Row& row : rows) {
     INFO(row.name);
-    json d = document();
+    json d = whole_plan();
     row.spoil(d);
     const std::string error = error_of([&] { check_against(parsed(d), settings(), outputs); });
     INFO(error);

@@ -6,7 +6,7 @@
 namespace atelier::measure {
 namespace {
 
-Plot sample() {
+Plot small_plot() {
   return {.title = "Error against size",
           .x = {.label = "pieces", .scale = Scale::logarithmic},
           .y = {.label = "error, m", .scale = Scale::logarithmic},
@@ -22,7 +22,7 @@ bool holds(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("everything that is asked for reaches gnuplot") {
-  const std::string script = gnuplot_script(sample(), "out.svg");
+  const std::string script = gnuplot_script(small_plot(), "out.svg");
   for (const char* part : {"set output 'out.svg'", "set logscale x", "set logscale y", "'pieces'", "'error, m'",
                            "'noise floor'", "'knee'", "title 'wall'", "\n8 0.03 "}) {
     INFO(part);
@@ -31,16 +31,16 @@ TEST_CASE("everything that is asked for reaches gnuplot") {
 }
 
 TEST_CASE("what a logarithmic axis cannot show is drawn on its end") {
-  const std::string script = gnuplot_script(sample(), "out.svg");
+  const std::string script = gnuplot_script(small_plot(), "out.svg");
   // The smallest value is the level, 1e-3, with its air down to 1e-4; one decade more makes room for zeros.
   CHECK(holds(script, "$z0 << EOD\n16 1e-05 "));
-  Plot linear = sample();
+  Plot linear = small_plot();
   linear.y.scale = Scale::linear;
   CHECK_FALSE(holds(gnuplot_script(linear, "out.svg"), "$z0"));
 }
 
 TEST_CASE("text is never read as a command") {
-  Plot plot = sample();
+  Plot plot = small_plot();
   plot.title = "it's a 'title'\nquit";
   plot.curves[0].title = "a_b^{c}`date`";
   const std::string script = gnuplot_script(plot, "out.svg");
@@ -50,7 +50,7 @@ TEST_CASE("text is never read as a command") {
 }
 
 TEST_CASE("curves differ in mark and in colour") {
-  Plot plot = sample();
+  Plot plot = small_plot();
   plot.curves.push_back({.title = "other", .points = {{4, 1}, {8, 1}}});
   const std::string script = gnuplot_script(plot, "out.svg");
   CHECK(holds(script, "pt 7"));
@@ -79,7 +79,7 @@ TEST_CASE("what cannot be drawn is refused, with the plot's name") {
   };
   for (const Row& row : rows) {
     INFO(row.name);
-    Plot plot = sample();
+    Plot plot = small_plot();
     row.spoil(plot);
     CHECK(test::mentions(test::error_of([&] { gnuplot_script(plot, "out.svg"); }),
                          {"plot 'Error against size': ", row.words}));
@@ -88,7 +88,7 @@ TEST_CASE("what cannot be drawn is refused, with the plot's name") {
 
 TEST_CASE("gnuplot draws it, twice the same") {
   if (!can_plot()) SKIP_TEST("gnuplot is not installed");
-  Plot plot = sample();
+  Plot plot = small_plot();
   plot.title = "5 < 6 & more";
   const std::string svg = plot_as_svg(plot);
   CHECK(holds(svg, "<svg"));

@@ -12,7 +12,7 @@
 namespace atelier::measure {
 namespace {
 
-StepMeasured sample() {
+StepMeasured small_table() {
   StepMeasured measured{.step = "01-transforms", .environment = {{"cpu", "a <fast> one"}}};
   measured.sweeps = {sample_sweep()};
   measured.fronts = {sample_front()};
@@ -34,7 +34,7 @@ std::string replaced(std::string text, const std::string& part, const std::strin
 }  // namespace
 
 TEST_CASE("CSV has a line for each point and a column for each count") {
-  const auto rows = lines(as_csv(sample()));
+  const auto rows = lines(as_csv(small_table()));
   REQUIRE(rows.size() == 1 + 16 + 4);
   CHECK(rows[0] == "sweep,curve,value,metric,error,rmse,flip,median_s,least_s,most_s,draws,triangles");
   CHECK(rows[2] == "wall,fine,4,rmse,0.25,0.125,,0.004,0.0036,0.008,3,8");
@@ -42,13 +42,13 @@ TEST_CASE("CSV has a line for each point and a column for each count") {
 }
 
 TEST_CASE("a field that holds a comma or a quote is quoted") {
-  StepMeasured measured = sample();
+  StepMeasured measured = small_table();
   measured.sweeps[0].points[0].value = "a, \"b\"";
   CHECK(lines(as_csv(measured))[1].starts_with("wall,fine,\"a, \"\"b\"\"\",rmse,"));
 }
 
 TEST_CASE("JSON has fits, findings, fronts and knees") {
-  StepMeasured measured = sample();
+  StepMeasured measured = small_table();
   measured.sweeps[0].plan.expect = {{.curve = "fine", .number = -2, .tolerance = 0.1, .reason = "r"}};
   const auto json = nlohmann::json::parse(as_json(measured));
   const auto& sweep = json["sweeps"][0];
@@ -123,7 +123,7 @@ TEST_CASE("charts show what was measured, and times only where they are asked fo
 
 TEST_CASE("the page needs nothing beside it, and takes no text for mark-up") {
   if (!can_plot()) SKIP_TEST("gnuplot is not installed");
-  StepMeasured measured = sample();
+  StepMeasured measured = small_table();
   measured.sweeps[0].plan.expect = {{.curve = "fine", .number = -1, .tolerance = 0.1, .reason = "<b>why</b>"}};
   const std::string html = page(measured);
   CHECK(test::mentions(html, {"data:image/svg+xml;base64,", "default-src 'none'", "Recommended default: <b>b</b>",

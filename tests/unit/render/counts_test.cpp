@@ -32,7 +32,7 @@ TransformFunctions counting_transforms() {
   return functions;
 }
 
-struct Studio {
+struct CountingStudio {
   Shaders shaders;
   std::unique_ptr<HeadlessContext> context = make_headless_context();
   Renderer renderer{context->gl(), shaders.implementations(), counting_transforms(), {}};
@@ -56,7 +56,7 @@ Scene triangles(const std::vector<glm::dvec3>& places) {
 }  // namespace
 
 TEST_CASE("matrices are computed once, and again only where they change", "[counts]") {
-  Studio studio;
+  CountingStudio studio;
   Scene scene = triangles({{0, 0, 0}, {0.5, 0, 0}});
   studio.renderer.prepare(scene);
   View view{.camera = scene.camera};
@@ -87,7 +87,7 @@ TEST_CASE("matrices are computed once, and again only where they change", "[coun
 }
 
 TEST_CASE("camera-relative matrices follow the eye", "[counts]") {
-  Studio studio;
+  CountingStudio studio;
   const Scene scene = triangles({{0.25, 0, 0}});
   studio.renderer.prepare(scene);
   const View plain{.camera = scene.camera};
@@ -111,7 +111,7 @@ TEST_CASE("camera-relative matrices follow the eye", "[counts]") {
 }
 
 TEST_CASE("what a student's function throws leaves nothing behind", "[counts]") {
-  Studio studio;
+  CountingStudio studio;
   Scene scene = triangles({{0, 0, 0}});
   studio.renderer.prepare(scene);
   const View view{.camera = scene.camera};
@@ -153,7 +153,7 @@ TEST_CASE("nodes outside the view are left out, and no pixel changes", "[counts]
     for (const bool reversed : {false, true})
       for (const bool orthographic : {false, true})
         for (const auto& row : rows) {
-          Studio studio;
+          CountingStudio studio;
           if (reversed && !studio.context->gl().ClipControl.call) continue;
           INFO(row.name << ", " << far << " m away, reversed " << reversed << ", orthographic " << orthographic);
           Scene scene = triangles({{0.25, 0.25, 0.25}, row.place});

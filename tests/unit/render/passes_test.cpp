@@ -49,14 +49,14 @@ struct DepthPiece : Piece {
   }
 };
 
-struct Studio {
+struct DepthStudio {
   Shaders shaders;
   std::unique_ptr<HeadlessContext> context = make_headless_context();
   DepthPiece* piece = nullptr;
   Renderer renderer;
   Target target{context->gl(), {.width = 32, .height = 32}};
 
-  explicit Studio(std::unique_ptr<DepthPiece> made = std::make_unique<DepthPiece>())
+  explicit DepthStudio(std::unique_ptr<DepthPiece> made = std::make_unique<DepthPiece>())
       : renderer(context->gl(), shaders.implementations(), fake_transforms(), features(std::move(made))) {
     shaders.write("00-fake/pass.glsl", "float pass_depth() { return 0.25; }\n");
   }
@@ -75,7 +75,7 @@ struct Studio {
 }  // namespace
 
 TEST_CASE("a feature draws before the view, and the view is none the worse for it", "[passes]") {
-  Studio studio;
+  DepthStudio studio;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
   const Image picture = studio.draw(scene);
@@ -101,7 +101,7 @@ TEST_CASE("a feature draws before the view, and the view is none the worse for i
 }
 
 TEST_CASE("only the nodes that a pass names are drawn in it, and mirrored ones face the right way", "[passes]") {
-  Studio studio;
+  DepthStudio studio;
   Scene scene = triangle_scene();
   scene.nodes.push_back({.name = "mirrored", .translation = {0, 0, 0}, .scale = {-1, 1, 1}, .mesh = 0});
   studio.renderer.prepare(scene);
@@ -117,7 +117,7 @@ TEST_CASE("only the nodes that a pass names are drawn in it, and mirrored ones f
 }
 
 TEST_CASE("a feature may fill the target instead of the scene", "[passes]") {
-  Studio studio;
+  DepthStudio studio;
   studio.piece->instead = true;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
@@ -128,7 +128,7 @@ TEST_CASE("a feature may fill the target instead of the scene", "[passes]") {
 }
 
 TEST_CASE("a pass's shader that has changed is taken, a broken one is told", "[passes]") {
-  Studio studio;
+  DepthStudio studio;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
   studio.draw(scene);

@@ -13,12 +13,12 @@ std::string shade(const std::string& colour) {
 }
 
 /// The triangle, shaded by a file that a test can change.
-struct Studio {
+struct ReloadStudio {
   Shaders shaders;
   std::unique_ptr<HeadlessContext> context = make_headless_context();
   Scene scene = triangle_scene();
   std::unique_ptr<Renderer> renderer;
-  Studio() {
+  ReloadStudio() {
     shaders.write(file, shade("vec3(1.0, 0.0, 0.0)"));
     auto feature = std::make_unique<Piece>();
     feature->filled = {{Slot::shade, {file, "shade"}}};
@@ -38,7 +38,7 @@ struct Studio {
 }  // namespace
 
 TEST_CASE("an edited shader is taken without a restart", "[reload]") {
-  Studio studio;
+  ReloadStudio studio;
   CHECK(studio.renderer->reload_changed_shaders().empty());  // nothing is built yet
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
   const auto linked = studio.context->gl().counts().programs_linked;
@@ -52,7 +52,7 @@ TEST_CASE("an edited shader is taken without a restart", "[reload]") {
 }
 
 TEST_CASE("a broken shader leaves the last good one in place", "[reload]") {
-  Studio studio;
+  ReloadStudio studio;
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
   const struct {
     const char* name;
@@ -79,7 +79,7 @@ TEST_CASE("a broken shader leaves the last good one in place", "[reload]") {
 }
 
 TEST_CASE("a file included by another is watched too", "[reload]") {
-  Studio studio;
+  ReloadStudio studio;
   studio.shaders.write("00-fake/palette.glsl", "const vec3 paint = vec3(0.5, 0.0, 0.0);\n");
   studio.shaders.write(file, "#include \"00-fake/palette.glsl\"\n" + shade("paint"));
   CHECK(studio.draw() == Rgba{0.5f, 0, 0, 1});
@@ -89,7 +89,7 @@ TEST_CASE("a file included by another is watched too", "[reload]") {
 }
 
 TEST_CASE("a deleted file leaves the program that was built from it", "[reload]") {
-  Studio studio;
+  ReloadStudio studio;
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
   std::filesystem::remove(studio.shaders.folder.path() / file);
   CHECK(studio.renderer->reload_changed_shaders().empty());  // editors delete before they write

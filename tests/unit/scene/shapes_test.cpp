@@ -15,7 +15,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int open_mesh = -1;
 
-struct Row {
+struct Shape {
   const char* name;
   Mesh mesh;
   int euler;                // 2 for a sphere-like surface, 0 for a ring, open_mesh where there is a border
@@ -25,7 +25,7 @@ struct Row {
   glm::vec2 high_texcoord{1, 1};
 };
 
-std::vector<Row> rows() {
+std::vector<Shape> shapes() {
   return {
       {"sphere", make_sphere(), 2, 4 * pi / 3, 0.01, 0.98f},
       {"coarsest sphere", make_sphere({.radius = 2, .segments = 3, .rings = 2}), 2, 0, 0, 0.4f},
@@ -58,7 +58,7 @@ std::vector<Row> rows() {
 }  // namespace
 
 TEST_CASE("every shape is a sound mesh", "[scene]") {
-  for (const Row& row : rows()) {
+  for (const Shape& row : shapes()) {
     INFO(row.name);
     Scene scene{.name = row.name, .meshes = {row.mesh}};
     CHECK_NOTHROW(validate(scene));  // indices in range, all finite

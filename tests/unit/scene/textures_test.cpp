@@ -39,14 +39,14 @@ Steps largest_steps(const Image& image) {
   return steps;
 }
 
-struct Row {
+struct MadeTexture {
   const char* name;
   std::function<Image()> make;
   std::uint64_t bits;
 };
 
-const std::vector<Row>& rows() {
-  static const std::vector<Row> table = {
+const std::vector<MadeTexture>& textures() {
+  static const std::vector<MadeTexture> table = {
       {"checker", [] { return make_checker({.size = 64}); }, 0x1617b5b63f58a325},
       {"uv grid", [] { return make_uv_grid(64); }, 0x1ee489408595d95d},
       {"dots", [] { return make_dots({.size = 64}); }, 0x5273657880dbb4a5},
@@ -62,7 +62,7 @@ const std::vector<Row>& rows() {
 }  // namespace
 
 TEST_CASE("textures give the same bits everywhere, within 0..1", "[scene]") {
-  for (const Row& row : rows()) {
+  for (const MadeTexture& row : textures()) {
     INFO(row.name);
     const Image image = row.make();
     for (const Rgba& p : image.pixels())
