@@ -98,7 +98,8 @@ function(atelier_step name)
     target_compile_options(solution-${name} PRIVATE -Wno-unused-parameter)
     target_include_directories(solution-${name} PRIVATE ${PROJECT_SOURCE_DIR}/steps ${folder})
     set_target_properties(solution-${name} PROPERTIES OUTPUT_NAME step
-      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/implementations/solutions/${name})
+      LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/implementations/solutions/${name}
+      UNITY_BUILD OFF)  # as a student's files are compiled
     add_dependencies(${name} solution-${name})
   endif()
 

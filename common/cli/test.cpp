@@ -2,7 +2,7 @@
 //
 //   --quick   the unit tests, and the steps' solutions through the judge
 //   (usual)   all but what is labelled "long", and the unit tests once more under AddressSanitizer and UBSan
-//   --all     everything
+//   --all     everything, and the unit tests in a build where every file is compiled by itself
 //
 // ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
 #include <fcntl.h>
@@ -63,16 +63,15 @@ Tally run_ctest(const fs::path& build, const std::vector<std::string>& selection
   return tally;
 }
 
-/// Builds and runs the unit tests under the sanitizers, in a build folder of their own. A build that fails is one
-/// failed test.
-Tally run_sanitized(const ProjectFolders& folders) {
-  const fs::path build = folders.root / "build" / "sanitize";
-  fmt::print("\nUnit tests under AddressSanitizer and UndefinedBehaviorSanitizer, in {}\n", build.string());
+/// Builds a target of one of CMakePresets.json's presets, in a build folder of its own, and runs the unit tests there.
+/// A build that fails is one failed test.
+Tally run_preset(const ProjectFolders& folders, const std::string& preset, const std::string& target) {
+  const fs::path build = folders.root / "build" / preset;
   const std::string source = folders.root.string();
   if (!fs::exists(build / "build.ninja") &&
-      run_attached({"cmake", "-S", source, "--preset", "sanitize", "-B", build.string()}) != 0)
+      run_attached({"cmake", "-S", source, "--preset", preset, "-B", build.string()}) != 0)
     return {.failed = 1};
-  if (run_attached({"cmake", "--build", build.string(), "--target", "unit_tests", "--", "--quiet"}) != 0)
+  if (run_attached({"cmake", "--build", build.string(), "--target", target, "--", "--quiet"}) != 0)
     return {.failed = 1};
   return run_ctest(build, {"-L", "^unit$"});
 }
@@ -96,7 +95,14 @@ int run_test(const TestOptions& options) {
   if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
     throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
   Tally tally = run_ctest(folders.build, selection_of(options.tier));
-  if (options.tier != TestOptions::Tier::quick) tally += run_sanitized(folders);
+  if (options.tier != TestOptions::Tier::quick) {
+    fmt::print("\nUnit tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n");
+    tally += run_preset(folders, "sanitize", "unit_tests");
+  }
+  if (options.tier == TestOptions::Tier::all) {
+    fmt::print("\nEvery file compiled by itself, unoptimised, and the unit tests so, in build/debug\n");
+    tally += run_preset(folders, "debug", "all");
+  }
 
   if (tally.skipped > 0)
     fmt::print("\n{} passed, {} failed, {} skipped\n", tally.passed, tally.failed, tally.skipped);
