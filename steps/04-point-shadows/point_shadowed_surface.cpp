@@ -135,10 +135,12 @@ void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewp
 bool PointShadowedSurface::make_room(Gl& gl, std::size_t cube) {
   if (rooms_.size() <= cube) rooms_.resize(cube + 1);
   Room& room = rooms_[cube];
-  if (room.made() && room.names.resolution == edge_ && room.format == format() && room.compare == compares())
-    return true;
+  if (room.made() && room.edge == edge_ && room.format == format() && room.compare == compares()) return true;
   room = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
-  Room made{.names = make_cube_map(gl, edge_, format(), compares()), .format = format(), .compare = compares()};
+  Room made{.names = make_cube_map(gl, edge_, format(), compares()),
+            .edge = edge_,
+            .format = format(),
+            .compare = compares()};
   made.texture = GlTexture(gl, made.names.texture);
   made.framebuffer = GlFramebuffer(gl, made.names.framebuffer);
   check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", edge_).c_str());

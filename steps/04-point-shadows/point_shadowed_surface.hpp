@@ -45,6 +45,7 @@ class PointShadowedSurface : public ShadowedSurface {
     point_shadows::CubeMap names;
     GlTexture texture;
     GlFramebuffer framebuffer;
+    int edge = 0;  ///< what was asked for: `names` is what a student's function says
     GLenum format = 0;
     bool compare = false;
     bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet

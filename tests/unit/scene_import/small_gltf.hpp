@@ -4,10 +4,13 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/file.hpp"
+#include "scene_import/scene_import.hpp"
 
 namespace atelier::test {
 
@@ -68,6 +71,19 @@ inline std::string glb_bytes(nlohmann::json document, const std::string& buffer 
   };
   return "glTF" + words({2, 12 + 8 + json.size() + 8 + buffer.size()}) + words({json.size()}) + "JSON" + json +
          words({buffer.size()}) + std::string("BIN\0", 4) + buffer;
+}
+
+inline Scene import_document(const nlohmann::json& document, const std::string& buffer = triangle_buffer(),
+                             std::vector<std::string>* notes = nullptr) {
+  const TemporaryFolder folder;
+  return import_scene(write_gltf(folder.path(), document, buffer), notes);
+}
+
+/// The document with something in it changed.
+inline nlohmann::json changed(const std::function<void(nlohmann::json&)>& change) {
+  nlohmann::json document = triangle_document();
+  change(document);
+  return document;
 }
 
 }  // namespace atelier::test

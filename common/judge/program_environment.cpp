@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <string>
+
+#include "judge/runner.hpp"
+
+extern char** environ;
+
+namespace atelier::judge {
+namespace {
+
+bool bends_the_driver(const std::string& variable) {
+  constexpr const char* prefixes[] = {"LP_", "GALLIUM_", "GALLIVM_", "MESA_", "LIBGL_", "LD_", "LC_"};
+  return std::any_of(std::begin(prefixes), std::end(prefixes),
+                     [&](const char* prefix) { return variable.starts_with(prefix); });
+}
+
+}  // namespace
+
+std::map<std::string, std::string> program_environment(const RunSettings& settings) {
+  std::map<std::string, std::string> environment;
+  for (char** entry = environ; *entry; ++entry) {
+    const std::string text = *entry;
+    const std::size_t equals = text.find('=');
+    if (equals != std::string::npos && !bends_the_driver(text))
+      environment[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  environment["LANG"] = "C";
+  environment["LP_NUM_THREADS"] = std::to_string(settings.driver_threads);
+  // Without LLVM's optimisation passes llvmpipe compiles shaders in half the time, and draws the same bits.
+  environment["GALLIVM_PERF"] = "nopt";
+  if (settings.shader_cache.empty())
+    environment["MESA_SHADER_CACHE_DISABLE"] = "true";
+  else
+    environment["MESA_SHADER_CACHE_DIR"] = std::filesystem::absolute(settings.shader_cache).string();
+  // A program built with sanitizers would exit by itself: what they find is to count as the crash that it is.
+  for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) environment.try_emplace(name, "abort_on_error=1");
+  for (const auto& [name, value] : settings.environment) environment[name] = value;
+  return environment;
+}
+
+}  // namespace atelier::judge
