@@ -72,7 +72,8 @@ Finished run_process(const Command& command) {
 
   Finished result;
   result.timed_out = watch(child, pipe.read.get(), begin + command.time_limit, command, result.output);
-  ::kill(-child, SIGKILL);  // with all that it has started
+  ::kill(-child, SIGKILL);  // with what it has started
+  ::kill(child, SIGKILL);   // it may have left its group
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

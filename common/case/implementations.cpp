@@ -13,17 +13,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "DIR" or "NN-name=DIR"; a folder that has '=' in its own name needs the step in front of it.
+/// "DIR", "NN-name=DIR" or "NN-name/file=DIR"; a folder that has '=' in its own name needs one of them in front of it.
 Implementations::Root parse_root(const std::string& text) {
   const std::size_t equals = text.find('=');
   Implementations::Root root;
-  if (equals != std::string::npos) root.only_step = text.substr(0, equals);
+  if (equals != std::string::npos) root.only = text.substr(0, equals);
   root.folder = equals == std::string::npos ? text : text.substr(equals + 1);
   if (equals == 0) throw Error(fmt::format("implementations: '{}' names no step before '='", printable(text)));
-  if (root.only_step.find('/') != std::string::npos) {
+  if (std::ranges::count(root.only, '/') > 1 || root.only.starts_with('/') || root.only.ends_with('/'))
     throw Error(
-        fmt::format("implementations: '{}' is no step (a name like 03-shadow-mapping)", printable(root.only_step)));
-  }
+        fmt::format("implementations: '{}' is no step and no file of one (names like 03-shadow-mapping and "
+                    "03-shadow-mapping/shadows.glsl)",
+                    printable(root.only)));
   std::error_code ignored;
   if (!fs::is_directory(root.folder, ignored)) {
     throw Error(fmt::format("implementations: no folder '{}'", printable(root.folder.string())));
@@ -42,6 +43,10 @@ bool stays_below(const fs::path& name) {
 
 }  // namespace
 
+bool Implementations::Root::answers_for(const std::string& name) const {
+  return only.empty() || name == only || (name.starts_with(only) && name[only.size()] == '/');
+}
+
 Implementations Implementations::parse(const std::string& text) {
   std::vector<Root> roots;
   for (std::size_t begin = 0; begin <= text.size();) {
@@ -56,7 +61,7 @@ std::string Implementations::to_string() const {
   std::string text;
   for (const Root& root : roots_) {
     if (!text.empty()) text += ':';
-    if (!root.only_step.empty()) text += root.only_step + '=';
+    if (!root.only.empty()) text += root.only + '=';
     text += root.folder.string();
   }
   return text;
@@ -65,9 +70,8 @@ std::string Implementations::to_string() const {
 fs::path Implementations::find(const std::string& name) const {
   const fs::path relative = name;
   if (!stays_below(relative)) return {};
-  const std::string step = relative.begin()->string();
   for (const Root& root : roots_) {
-    if (!root.only_step.empty() && root.only_step != step) continue;
+    if (!root.answers_for(name)) continue;
     const fs::path candidate = root.folder / relative;
     std::error_code ignored;
     if (fs::is_regular_file(candidate, ignored)) return candidate;

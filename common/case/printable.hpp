@@ -19,6 +19,10 @@ std::string printable(std::string_view text, Layout layout = Layout::one_line);
 /// At most `limit` bytes of UTF-8, cut between characters; what was cut is replaced by "..." within the limit.
 std::string shorten(std::string_view text, std::size_t limit);
 
+/// `text` as a shell takes it for one word, in quotes where it must be; empty where it is not printable, for then no
+/// report can show it as it is.
+std::string shell_word(const std::string& text);
+
 /// One code point from the front of `text`, which must not be empty: its value and length in bytes. What is no valid
 /// UTF-8 (overlong, a surrogate, above U+10FFFF, cut off) gives U+FFFD and length 1. (RFC 3629)
 struct CodePoint {

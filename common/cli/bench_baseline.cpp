@@ -23,7 +23,7 @@ std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const
   const fs::path program = folders.program(table.plan.program);
   if (!fs::exists(program)) throw Error(fmt::format("{}: is missing: build the target 'baselines'", program.string()));
   measure::Program ours{.file = folders.program(step.name)};
-  ours.implementations = search_path(folders, step.name, code_of(folders, Owner::solution), {});
+  ours.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
   ours.shader_cache = folders.build / "cache" / "measure-shaders";
   measure::Program other = ours;
   other.file = program;

@@ -110,7 +110,7 @@ std::vector<Figure> bench_start(const ProjectFolders& folders, const CourseStep&
   with.limit = 0.2;
   const Figure start = time_runs("start of a step program", "--list", repeats, [&] {
     must_run({folders.program(step.name).string(), "--list", "--implementations",
-              search_path(folders, step.name, code_of(folders, Owner::solution), {}).to_string()});
+              search_path(folders, step, code_of(folders, Owner::solution), {}).to_string()});
   });
   return {with, start};
 }
@@ -124,7 +124,7 @@ std::vector<Figure> bench_shaders(const ProjectFolders& folders, const CourseSte
   for (const JudgedCase& c : cases) asks.push_back(c.ask);
   judge::RunSettings settings;
   settings.program = folders.program(step.name);
-  settings.implementations = search_path(folders, step.name, code_of(folders, Owner::solution), {});
+  settings.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
   settings.shader_cache = cache.path() / "shaders";
   std::vector<Figure> figures;
   for (const bool optimised : {false, true}) {

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "case/printable.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
@@ -46,11 +47,11 @@ void prepare_results_folder(const fs::path& out) {
 
 /// How this very submission is judged again, case by case; empty for an archive, which `check` cannot read.
 void point_to_submission(judge::SubmissionResult& result, const fs::path& source) {
+  const std::string folder = source.empty() ? "" : shell_word(source.string());
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
-      c.command = source.empty()
-                      ? ""
-                      : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, source.string());
+      c.command =
+          folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
 }
 
 /// The steps that were asked for, or those that were handed in.
@@ -79,9 +80,9 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
   judge::RunSettings settings;
   settings.program = grading.folders.program(step.name);
-  settings.implementations = search_path(grading.folders, step.name, code, earlier);
+  settings.implementations = search_path(grading.folders, step, code, earlier);
   if (is_there(grading.folders, step.name, Owner::solution))
-    settings.solution = search_path(grading.folders, step.name, code_of(grading.folders, Owner::solution), earlier);
+    settings.solution = search_path(grading.folders, step, code_of(grading.folders, Owner::solution), earlier);
   settings.context = options.context;
   settings.workers = options.workers;
   settings.shuffle = options.shuffle;
@@ -136,9 +137,9 @@ int run_grade(const GradeOptions& options) {
   result.notes = grading.submission.notes;
   result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
 
+  write_results(result, out);  // first of all: whoever listens may hang up
   fmt::print("{}", options.json ? judge::results_json(result)
                                 : judge::terminal_report(result, judge::terminal_style(STDOUT_FILENO)));
-  write_results(result, out);
   if (!options.json) fmt::print("Results: {}\n", out.string());
   return exit_ok;
 }

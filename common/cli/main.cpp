@@ -1,11 +1,14 @@
 // The program behind ./atelier. CLI11 costs six seconds to compile, so it is included here and nowhere else.
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "case/suggest.hpp"
@@ -288,13 +291,21 @@ int run(int count, char** arguments) {
 }  // namespace atelier
 
 int main(int count, char** arguments) {
+  // Whoever listens may hang up, as in "| head": what is open is then still closed, and put away. Ended like others.
+  ::signal(SIGPIPE, SIG_IGN);
+  constexpr int hung_up = 128 + SIGPIPE;
   int status = atelier::exit_usage;
   try {
     status = atelier::run(count, arguments);
     // What a pipe or a full disk did not take was not said.
-    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+      if (errno == EPIPE) return hung_up;
       throw atelier::Error("the output could not be written in full");
+    }
   } catch (const std::exception& error) {
+    const auto* reason = dynamic_cast<const std::system_error*>(&error);
+    if (reason && reason->code() == std::errc::broken_pipe) return hung_up;
     std::fflush(stdout);
     fmt::print(stderr, "error: {}\n", error.what());
     status = atelier::exit_usage;

@@ -33,7 +33,7 @@ Program program_of(const ProjectFolders& folders, const std::vector<CourseStep>&
   Program program{.file = folders.program(step.name), .context = options.context};
   program.shader_cache = folders.build / "cache" / "measure-shaders";  // shaders that the judge's are not: optimised
   if (!options.mine && is_there(folders, step.name, Owner::solution)) {
-    program.implementations = search_path(folders, step.name, code_of(folders, Owner::solution), {});
+    program.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
     return program;
   }
   const OwnFiles own = prepare_own_files(folders, course, step, code_of(folders, Owner::mine), "");

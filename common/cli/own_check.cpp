@@ -10,16 +10,19 @@
 #include "judge/preview.hpp"
 #include "judge/report_html.hpp"
 #include "judge/report_json.hpp"
+#include "judge/sha256.hpp"
 
 namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart.
+/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart from all others.
 grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
   if (options.sources.empty()) return code_of(folders, Owner::mine);
-  return {.sources = fs::absolute(options.sources), .libraries = folders.implementations() / "elsewhere"};
+  const fs::path sources = fs::weakly_canonical(options.sources);
+  return {.sources = sources,
+          .libraries = folders.implementations() / "elsewhere" / judge::sha256(sources.string()).substr(0, 16)};
 }
 
 /// The picture that an editor shows: the first one that fails, or the first one.
@@ -56,7 +59,7 @@ judge::RunSettings OwnCheck::run_settings(Implementations path) const {
   settings.program = folders_.program(step_.name);
   settings.implementations = std::move(path);
   if (is_there(folders_, step_.name, Owner::solution))
-    settings.solution = search_path(folders_, step_.name, code_of(folders_, Owner::solution), {});
+    settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), {});
   settings.context = options_.context;
   settings.shader_cache = folders_.shader_cache();
   return settings;

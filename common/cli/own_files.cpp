@@ -23,7 +23,7 @@ OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<Cour
                               built.log));
   }
   own.built = judge::build_step(flags, step.name, mine.sources / step.name, mine.libraries);
-  own.path = search_path(folders, step.name, mine, own.earlier);
+  own.path = search_path(folders, step, mine, own.earlier);
   return own;
 }
 

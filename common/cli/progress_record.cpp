@@ -115,7 +115,7 @@ void write_progress(const fs::path& file, const ProgressRecord& record) {
 
 void record_check(ProgressRecord& record, const judge::StepResult& result, const std::string& files) {
   CheckRecord check{.when = now_in_utc(), .score = result.score, .max_score = result.max_score, .files = files};
-  for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.status == judge::Status::passed;
+  for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.done();
   StepProgress& step = record[result.step];
   step.best = std::max(step.best, check.score);
   step.check = std::move(check);

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <set>
+#include <system_error>
+
 #include "base/error.hpp"
 #include "cli/standing.hpp"
 
@@ -21,6 +25,25 @@ Owner choose_owner(const ProjectFolders& folders, const CourseStep& earlier, con
       asked == "mine" || (asked.empty() && has_passed(folders, earlier)) ? Owner::mine : Owner::solution;
   const Owner other = wanted == Owner::mine ? Owner::solution : Owner::mine;
   return is_there(folders, earlier.name, wanted) ? wanted : other;
+}
+
+std::set<std::string> steps_in(const fs::path& folder) {
+  std::set<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing))
+    if (entry.is_directory()) names.insert(entry.path().filename().string());
+  return names;
+}
+
+/// The shaders beside a student's own that everybody gets.
+std::set<std::string> given_shaders(const fs::path& folder, const CourseStep& step) {
+  std::set<std::string> names;
+  std::error_code missing;
+  for (const auto& entry : fs::directory_iterator(folder, missing))
+    if (const std::string name = entry.path().filename().string();
+        name.ends_with(".glsl") && std::ranges::count(step.files, name) == 0)
+      names.insert(name);
+  return names;
 }
 
 }  // namespace
@@ -47,17 +70,24 @@ Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep
   return owners;
 }
 
-Implementations search_path(const ProjectFolders& folders, const std::string& step, const grade::Code& code,
+Implementations search_path(const ProjectFolders& folders, const CourseStep& step, const grade::Code& code,
                             const Owners& earlier) {
   std::vector<Implementations::Root> roots;
-  const auto add = [&](const grade::Code& from, const std::string& only_step) {
+  const auto add = [&](const grade::Code& from, const std::string& only) {
     for (const fs::path& folder : {from.libraries, from.sources})
-      if (fs::is_directory(folder)) roots.push_back({folder, only_step});
+      if (fs::is_directory(folder)) roots.push_back({folder, only});
   };
-  add(code, step);
+  add(code, step.name);
   for (const auto& [name, owner] : earlier) add(code_of(folders, owner), name);
-  add(code_of(folders, Owner::solution), "");
-  add(code_of(folders, Owner::mine), "");
+  for (const std::string& shader : given_shaders(folders.steps() / step.name, step))
+    roots.push_back({folders.steps(), step.name + "/" + shader});
+  for (const Owner owner : {Owner::solution, Owner::mine})
+    for (const std::string& other : steps_in(code_of(folders, owner).sources))
+      if (other != step.name) add(code_of(folders, owner), other);
+  for (const Implementations::Root& root : roots)
+    if (root.folder.string().find(':') != std::string::npos)
+      throw Error(fmt::format("{}: a folder with ':' in its path cannot be used; move it, or give it another name",
+                              root.folder.string()));
   return Implementations(std::move(roots));
 }
 

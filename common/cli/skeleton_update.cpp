@@ -1,15 +1,13 @@
 #include "cli/skeleton_update.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 
 #include <algorithm>
 #include <optional>
 
-#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder_lock.hpp"
 #include "base/process.hpp"
 #include "cli/skeleton_record.hpp"
 #include "judge/sha256.hpp"
@@ -61,8 +59,7 @@ class Update {
   std::vector<std::string> run() {
     if (names_of_new().empty()) return {};
     // Two commands at a time take turns: what the first one does must not look like a student's edit to the second.
-    const Descriptor lock(::open(skeletons_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-    ::flock(lock.get(), LOCK_EX);
+    const FolderLock lock(skeletons_);
     const std::vector<std::string> names = names_of_new();
     if (names.empty()) return {};
     SkeletonRecord record = read_skeleton_record(steps_);

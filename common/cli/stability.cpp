@@ -66,7 +66,7 @@ OrderedJson try_table(const ProjectFolders& folders, const std::string& table, c
   const fs::path file = out / (table + ".json");
   std::error_code none;
   fs::remove(file, none);  // yesterday's must not be taken for today's
-  const Implementations solutions = search_path(folders, table, code_of(folders, Owner::solution), {});
+  const Implementations solutions = search_path(folders, {.name = table}, code_of(folders, Owner::solution), {});
   const Finished finished =
       run_process({.arguments = {program_of(folders, table), solutions.to_string(), file.string()}});
   if (!finished.ok())

@@ -7,6 +7,7 @@
 // ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 
@@ -34,9 +35,18 @@ int run_attached(std::vector<std::string> arguments) {
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
+  // With signals as a fresh program expects them: what we ignore it would ignore, too.
+  sigset_t ours;
+  sigemptyset(&ours);
+  sigaddset(&ours, SIGPIPE);
+  posix_spawnattr_t fresh;
+  ::posix_spawnattr_init(&fresh);
+  ::posix_spawnattr_setsigdefault(&fresh, &ours);
+  ::posix_spawnattr_setflags(&fresh, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
-  if (const int error = ::posix_spawnp(&child, pointers[0], nullptr, nullptr, pointers.data(), environ))
-    throw Error(fmt::format("{} cannot be started: {}", arguments[0], std::strerror(error)));
+  const int error = ::posix_spawnp(&child, pointers[0], nullptr, &fresh, pointers.data(), environ);
+  ::posix_spawnattr_destroy(&fresh);
+  if (error) throw Error(fmt::format("{} cannot be started: {}", arguments[0], std::strerror(error)));
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }

@@ -64,8 +64,8 @@ Version Workshop::patched(const std::string& name, const fs::path& patch) const 
 judge::RunSettings Workshop::settings(const Version& version) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step_.name);
-  settings.implementations = search_path(folders_, step_.name, version.code, earlier_);
-  settings.solution = search_path(folders_, step_.name, code_of(folders_, Owner::solution), earlier_);
+  settings.implementations = search_path(folders_, step_, version.code, earlier_);
+  settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
   settings.most_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
   settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is the project's own code

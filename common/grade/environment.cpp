@@ -24,7 +24,8 @@ std::string first_line(const std::string& text) {
 std::string describe_cpu() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
-    if (line.starts_with("model name")) return printable(line.substr(line.find(':') + 2));
+    if (const std::size_t colon = line.find(": "); line.starts_with("model name") && colon != std::string::npos)
+      return printable(line.substr(colon + 2));
   return "unknown";
 }
 

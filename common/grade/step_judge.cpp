@@ -133,8 +133,7 @@ void sum_up(judge::SubmissionResult& submission) {
 }
 
 bool all_passed(const StepResult& step) {
-  return std::all_of(step.cases.begin(), step.cases.end(),
-                     [](const CaseResult& c) { return c.status == judge::Status::passed; });
+  return std::all_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return c.done(); });
 }
 
 }  // namespace atelier::grade

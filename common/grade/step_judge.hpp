@@ -71,7 +71,7 @@ class StepJudge {
 void sum_up(judge::StepResult& step);
 void sum_up(judge::SubmissionResult& submission);
 
-/// Whether every case passed.
+/// Whether every case passed, or asks for what this driver does not have.
 bool all_passed(const judge::StepResult& step);
 
 }  // namespace atelier::grade

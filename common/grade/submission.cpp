@@ -133,7 +133,7 @@ std::string name_of(const fs::path& source) {
   fs::path path = fs::weakly_canonical(source);
   if (path.extension() == ".zip") path = path.stem();
   const std::string name = printable(path.filename().string());
-  return name.empty() ? "submission" : name;
+  return name.empty() || name == "." || name == ".." ? "submission" : name;  // "...zip" is a name, too
 }
 
 }  // namespace

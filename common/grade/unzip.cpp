@@ -3,6 +3,7 @@
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/format.h>
+#include <locale.h>
 
 #include <memory>
 #include <optional>
@@ -92,6 +93,30 @@ std::string why_special(archive_entry* entry) {
   return {};
 }
 
+/// Text is UTF-8 in this thread, to the end of the scope: the library gives no name that its archive calls UTF-8 where
+/// the locale cannot hold it, and this program runs in the locale "C".
+class Utf8Text {
+ public:
+  Utf8Text() : utf8_(::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr)) {
+    if (utf8_) before_ = ::uselocale(utf8_);
+  }
+  ~Utf8Text() {
+    if (!utf8_) return;
+    ::uselocale(before_);
+    ::freelocale(utf8_);
+  }
+  Utf8Text(const Utf8Text&) = delete;
+  Utf8Text& operator=(const Utf8Text&) = delete;
+
+ private:
+  locale_t utf8_, before_ = nullptr;
+};
+
+std::string name_of(archive_entry* entry) {
+  const char* path = archive_entry_pathname(entry);
+  return path ? path : "(a member without a readable name)";
+}
+
 class ZipReader {
  public:
   ZipReader(const fs::path& file, const ZipLimits& limits)
@@ -99,8 +124,7 @@ class ZipReader {
 
   ZipContents read(const std::set<std::string>& wanted) {
     while (archive_entry* entry = next()) {
-      const char* path = archive_entry_pathname(entry);
-      const std::string name = path ? path : "";
+      const std::string name = name_of(entry);
       contents_.names.push_back(name);
       const std::string special = why_special(entry);
       const auto place = place_of(name, wanted);
@@ -167,6 +191,7 @@ class ZipReader {
                                 limits_.ratio));
   }
 
+  Utf8Text utf8_;  // before the reader, which looks at the locale when it opens
   fs::path file_;
   ZipLimits limits_;
   Archive reader_;

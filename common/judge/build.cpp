@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder_lock.hpp"
 #include "base/process.hpp"
 #include "case/printable.hpp"
 #include "case/strict_json.hpp"
@@ -243,6 +244,10 @@ Built not_built(const NotTaken& files) {
 Built build_step(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& out,
                  milliseconds time_limit) {
   const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
+  std::error_code error;
+  fs::create_directories(objects, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
+  const FolderLock lock(folder);  // `watch` and `check` may build the same step at once
   if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
     remove_older(library);
     return not_built(missing);
@@ -253,9 +258,6 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
     std::vector<std::string> names;
     for (const std::string& name : files_of(flags, step))
       if (name.ends_with(".cpp")) names.push_back(name);
-    std::error_code error;
-    fs::create_directories(objects, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
 
     std::vector<Outcome> done = compile_all(flags, step, fs::absolute(sources), names, objects, time_limit);
     const auto succeeded = [](const Outcome& s) { return s.ok; };

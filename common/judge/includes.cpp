@@ -189,6 +189,7 @@ bool allowed(const std::string& target, const std::string& step, const std::vect
 
 std::vector<Include> find_includes(std::string_view source) {
   std::vector<Include> includes;
+  if (source.starts_with("\xEF\xBB\xBF")) source.remove_prefix(3);  // a byte-order mark, which compilers pass over
   Cursor cursor(source);
   bool line_start = true;  // only blanks and comments so far: a '#' here begins a directive
   while (!cursor.done()) {

@@ -87,7 +87,8 @@ std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const 
     last->cases.push_back(index);
   }
   std::vector<std::deque<std::size_t>> shares;
-  for (Load& load : loads) shares.push_back(std::move(load.cases));
+  for (Load& load : loads)
+    if (!load.cases.empty()) shares.push_back(std::move(load.cases));
   return shares;
 }
 

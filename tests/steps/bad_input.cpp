@@ -205,3 +205,51 @@ TEST_CASE("Ctrl-C leaves nothing in the system's temporary folder", "[bad-input]
   CHECK(finished.output.find("status 130") != std::string::npos);  // 128 and SIGINT: what ended it
   CHECK(std::filesystem::is_empty(temporary));
 }
+
+TEST_CASE("results are written before anything is said, and whoever listens may hang up", "[bad-input]") {
+  const TemporaryFolder folder;
+  const std::string program = (folders().build / "bin/atelier").string(), out = folder.path().string();
+  for (const char* const listener : {"| true", ">/dev/full"}) {
+    INFO(listener);
+    std::filesystem::remove_all(folder.path() / "results.json");
+    run_process(
+        {.arguments = {"sh", "-c", std::string("\"$0\" grade solutions --step 00 --out \"$1\" 2>/dev/null ") + listener,
+                       program, out},
+         .folder = folders().root});
+    const auto results = nlohmann::json::parse(read_file(folder.path() / "results.json"));
+    CHECK(results["steps"].size() == 1);
+  }
+}
+
+TEST_CASE("a student's library that takes itself away is not replaced by the solution", "[bad-input]") {
+  const TemporaryFolder folder;
+  const auto copy = std::filesystem::copy_options::recursive;
+  std::filesystem::create_directories(folder.path() / "ada");
+  std::filesystem::copy(folders().root / "steps/01-transforms", folder.path() / "ada/01-transforms", copy);
+  const auto file = folder.path() / "ada/01-transforms/transforms.cpp";
+  std::string code = "#include <cstdlib>\n" + read_file(file);
+  const std::size_t begin = code.find("mat4 translation(");
+  REQUIRE(begin != std::string::npos);
+  code.insert(code.find("{\n", begin) + 2, "  std::abort();  // whoever begins again finds no library\n");
+  code += R"(
+#include <cstdio>
+#include <cstring>
+static const bool gone = [] {
+  char line[4096];
+  std::FILE* maps = std::fopen("/proc/self/maps", "r");
+  while (maps && std::fgets(line, sizeof line, maps)) {
+    char* path = std::strchr(line, '/');
+    if (!path || !std::strstr(path, "/libraries/01-transforms/libstep.so")) continue;
+    *std::strchr(path, '\n') = '\0';
+    std::remove(path);
+  }
+  return true;
+}();
+)";
+  write_file(file, code);
+  const auto results = graded(folder.path() / "ada");
+  INFO(results["steps"][0]["build_log"].get<std::string>());
+  CHECK(results["score"] == 0);
+  CHECK(std::none_of(results["steps"][0]["cases"].begin(), results["steps"][0]["cases"].end(),
+                     [](const auto& c) { return c["status"] == "passed"; }));
+}

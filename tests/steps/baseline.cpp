@@ -26,7 +26,7 @@ std::vector<Rivals> rivals() {
     if (!std::filesystem::exists(folders().baseline_file(step.name))) continue;
     Rivals found{.step = step, .plan = measure::read_baseline_plan(folders().baseline_file(step.name))};
     found.ours.file = folders().program(step.name);
-    found.ours.implementations = search_path(folders(), step.name, code_of(folders(), Owner::solution), {});
+    found.ours.implementations = search_path(folders(), step, code_of(folders(), Owner::solution), {});
     found.theirs = found.ours;
     found.theirs.file = folders().program(found.plan.program);
     all.push_back(std::move(found));

@@ -50,11 +50,10 @@ Snapshot step_shaders(const Implementations& implementations) {
   Snapshot snapshot;
   std::error_code missing;  // a folder may come and go while we look: it is then an empty one
   for (const Implementations::Root& root : implementations.roots())
-    for (const auto& step : fs::directory_iterator(root.folder, missing)) {
-      if (!root.only_step.empty() && step.path().filename() != root.only_step) continue;
+    for (const auto& step : fs::directory_iterator(root.folder, missing))
       for (const auto& file : fs::directory_iterator(step.path(), missing))
-        if (is_shader(file.path())) look_at_file(snapshot, file.path());
-    }
+        if (is_shader(file.path()) && root.answers_for(fs::relative(file.path(), root.folder).string()))
+          look_at_file(snapshot, file.path());
   return snapshot;
 }
 

@@ -19,12 +19,17 @@ TEST_CASE("the first root that has a file answers, file by file") {
   write_file(solution / "03-y" / "a.glsl", "solution");
   write_file(folder.path() / "outside.glsl", "");
 
-  const std::string text = "02-x=" + mine.string() + ":" + solution.string();
+  const fs::path given = folder.path() / "given";
+  write_file(given / "02-x" / "c.glsl", "given");
+  write_file(given / "02-x" / "d.glsl", "given");
+
+  const std::string text = "02-x=" + mine.string() + ":" + solution.string() + ":02-x/d.glsl=" + given.string();
   const Implementations found = Implementations::parse(text);
   CHECK(found.to_string() == text);
   CHECK(found.find("02-x/a.glsl") == mine / "02-x/a.glsl");
   CHECK(found.find("02-x/b.glsl") == solution / "02-x/b.glsl");
   CHECK(found.find("03-y/a.glsl") == solution / "03-y/a.glsl");  // `mine` stands for 02-x only
+  CHECK(found.find("02-x/d.glsl") == given / "02-x/d.glsl");
   for (const char* name : {"02-x/c.glsl", "02-x", "", "../outside.glsl", "02-x/../../outside.glsl", "/etc/passwd"}) {
     INFO(name);
     CHECK(found.find(name).empty());
@@ -37,5 +42,5 @@ TEST_CASE("search paths are checked") {
   CHECK(error_of([] { Implementations::parse("/nowhere"); }) == "implementations: no folder '/nowhere'");
   CHECK(error_of([] { Implementations::parse("02-x=/nowhere"); }) == "implementations: no folder '/nowhere'");
   CHECK(error_of([] { Implementations::parse("=/tmp"); }) == "implementations: '=/tmp' names no step before '='");
-  CHECK(error_of([] { Implementations::parse("a/b=/tmp"); }).find("'a/b' is no step") != std::string::npos);
+  CHECK(error_of([] { Implementations::parse("a/b/c=/tmp"); }).find("'a/b/c' is no step") != std::string::npos);
 }

@@ -42,6 +42,15 @@ TEST_CASE("text is made safe to print") {
   }
 }
 
+TEST_CASE("a word for a shell is one word") {
+  CHECK(shell_word("/home/ada/a=b,c_1.zip") == "/home/ada/a=b,c_1.zip");
+  CHECK(shell_word("Ada Lovelace; rm -r x") == "'Ada Lovelace; rm -r x'");
+  CHECK(shell_word("it's $HOME") == "'it'\\''s $HOME'");
+  CHECK(shell_word("Müller") == "'Müller'");
+  CHECK(shell_word("a\nb") == "");
+  CHECK(shell_word("\x1b[31m") == "");
+}
+
 TEST_CASE("text is cut between characters") {
   CHECK(shorten("abcdef", 6) == "abcdef");
   CHECK(shorten("abcdefg", 6) == "abc...");

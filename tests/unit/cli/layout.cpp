@@ -88,12 +88,30 @@ TEST_CASE("the search path has the code under judgement in front, for its own st
   CHECK(mentions(error_of([&] { choose_owners(folders, two, step, "theirs"); }), {"theirs", "mine or solution"}));
 
   const Implementations path =
-      search_path(folders, "02-light", {root.path() / "theirs", root.path() / "not-there"}, solution);
+      search_path(folders, step, {root.path() / "theirs", root.path() / "not-there"}, solution);
   write_file(root.path() / "theirs/02-light/a.glsl", std::string_view("theirs"));
   write_file(root.path() / "theirs/01-move/a.glsl", std::string_view("an earlier step is not theirs to replace"));
   write_file(root.path() / "solutions/01-move/a.glsl", std::string_view("solution"));
   CHECK(path.find("02-light/a.glsl") == root.path() / "theirs/02-light/a.glsl");
   CHECK(path.find("01-move/a.glsl") == root.path() / "solutions/01-move/a.glsl");
+
+  // What theirs lacks nobody else answers for, but for the shaders that are given with the step.
+  for (const char* name : {"solutions/02-light/light.glsl", "steps/02-light/light.glsl", "steps/02-light/given.glsl",
+                           "solutions/03-far/far.glsl"})
+    write_file(root.path() / name, std::string_view("somebody's"));
+  write_file(folders.own_implementations() / "02-light/libstep.so", std::string_view("mine"));
+  const CourseStep with_files{.name = "02-light", .files = {"light.cpp", "light.glsl"}, .uses = {"01-move"}};
+  const Implementations strict = search_path(folders, with_files, {root.path() / "theirs", root.path()}, solution);
+  CHECK(strict.find("02-light/light.glsl") == "");
+  CHECK(strict.find("02-light/libstep.so") == "");
+  CHECK(strict.find("02-light/given.glsl") == root.path() / "steps/02-light/given.glsl");
+  CHECK(strict.find("03-far/far.glsl") == root.path() / "solutions/03-far/far.glsl");
+
+  std::filesystem::create_directories(root.path() / "a=b:c");
+  CHECK(mentions(error_of([&] {
+                   search_path(folders, with_files, {root.path() / "a=b:c", {}}, solution);
+                 }),
+                 {"a=b:c", "':'"}));
 
   std::filesystem::remove_all(root.path() / "solutions");
   CHECK(choose_owners(folders, two, step, "solution").at("01-move") == Owner::mine);  // the solution is not here

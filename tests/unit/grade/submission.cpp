@@ -76,6 +76,33 @@ TEST_CASE("only the wanted members of a ZIP are read") {
   }
 }
 
+TEST_CASE("a ZIP whose names are UTF-8, and say so, is read in every locale") {
+  const TemporaryFolder folder;
+  const fs::path zip = folder.path() / "a.zip";
+  write_zip(zip, {{"Müller/01-move/move.cpp", "int a;"}, {"Müller/../ü", "x"}});
+  // Bit 11 of the flags: at byte 6 of a member's header and at byte 8 of its entry in the list (APPNOTE.TXT 4.4.4).
+  std::string bytes = read_file(zip);
+  for (const auto& [mark, place] : {std::pair{"PK\3\4", 7}, std::pair{"PK\1\2", 9}})
+    for (std::size_t at = bytes.find(mark); at != std::string::npos; at = bytes.find(mark, at + 1))
+      bytes[at + std::size_t(place)] |= 8;
+  write_file(zip, bytes);
+  const ZipContents contents = read_zip(zip, wanted);
+  CHECK(contents.files == std::map<std::string, std::string>{{"01-move/move.cpp", "int a;"}});
+  CHECK(contents.passed_over == std::vector<std::string>{"Müller/../ü leads out of the archive's folder"});
+}
+
+TEST_CASE("a submission has a name that can be a folder's") {
+  const TemporaryFolder folder;
+  for (const char* file : {"...zip", "..zip", ".zip"}) {
+    INFO(file);
+    write_zip(folder.path() / file, {{"01-move/move.cpp", "int a;"}});
+    const std::string name = take_submission(flags, folder.path() / file, folder.path() / "copy").name;
+    CHECK(name != "");
+    CHECK(name != ".");
+    CHECK(name != "..");
+  }
+}
+
 TEST_CASE("what is not taken out of a ZIP is told") {
   const TemporaryFolder folder;
   const fs::path zip = folder.path() / "a.zip";

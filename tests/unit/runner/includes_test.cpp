@@ -27,6 +27,7 @@ TEST_CASE("includes are seen as a compiler sees them") {
       {"empty file", "", ""},
       {"plain", "#include <cmath>\n#include \"a/b.hpp\"\n", "1 <cmath>; 2 \"a/b.hpp\""},
       {"no last line end", "#include <cmath>", "1 <cmath>"},
+      {"a byte-order mark", "\xEF\xBB\xBF#include <thread>\n", "1 <thread>"},
       {"CRLF", "#include <cmath>\r\n#include <vector>\r\n", "1 <cmath>; 2 <vector>"},
       {"blanks", "\n  \t#  include\t<cmath>   // why\n", "2 <cmath>"},
       {"no blank", "#include<cmath>\n#include\"x.hpp\"", "1 <cmath>; 2 \"x.hpp\""},

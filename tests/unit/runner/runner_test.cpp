@@ -90,6 +90,7 @@ TEST_CASE("each misdeed fails its own case and no other") {
       {"segfaults", Ended::crashed, "SIGSEGV", true},
       {"draws, then aborts", Ended::crashed, "SIGABRT", true},
       {"hangs", Ended::timeout, "longer than 0.4 s", true},
+      {"leaves its group, hangs", Ended::timeout, "longer than 0.4 s", true},
       {"hangs, floods", Ended::timeout, "longer than 0.4 s", true},
       {"hangs, floods progress", Ended::timeout, "longer than 0.4 s", true},
       {"hangs without pipes", Ended::timeout, "longer than 0.4 s", true},

@@ -6,6 +6,7 @@
 #include "small_gltf.hpp"
 
 using namespace atelier;
+using atelier::test::at;
 using atelier::test::bytes_of;
 using atelier::test::changed;
 using atelier::test::error_of;

@@ -6,23 +6,12 @@
 #include "small_gltf.hpp"
 
 using namespace atelier;
+using atelier::test::at;
 using atelier::test::bytes_of;
 using atelier::test::changed;
 using atelier::test::import_document;
 using atelier::test::mentions;
 using nlohmann::json;
-
-namespace {
-
-glm::dvec3 at(const Scene& scene, const char* node, const glm::dvec3& p) {
-  const auto world = world_matrices_exact(scene.nodes);
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
-    if (scene.nodes[i].name == node) return glm::dvec3(world[i] * glm::dvec4(p, 1));
-  FAIL("no node " << node);
-  return {};
-}
-
-}  // namespace
 
 TEST_CASE("a triangle comes in from .gltf and .glb alike", "[scene_import]") {
   const TemporaryFolder folder;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/file.hpp"
+#include "catch.hpp"
 #include "scene_import/scene_import.hpp"
 
 namespace atelier::test {
@@ -84,6 +85,15 @@ inline nlohmann::json changed(const std::function<void(nlohmann::json&)>& change
   nlohmann::json document = triangle_document();
   change(document);
   return document;
+}
+
+/// Where a point of a node, by its name, lies in the world.
+inline glm::dvec3 at(const Scene& scene, const char* node, const glm::dvec3& p) {
+  const auto world = world_matrices_exact(scene.nodes);
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+    if (scene.nodes[i].name == node) return glm::dvec3(world[i] * glm::dvec4(p, 1));
+  FAIL("no node " << node);
+  return {};
 }
 
 }  // namespace atelier::test

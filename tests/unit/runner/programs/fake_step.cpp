@@ -115,6 +115,11 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
          std::abort();
        }},
       {"hangs", [](const Case&, const fs::path&) { hang(); }},
+      {"leaves its group, hangs",
+       [](const Case&, const fs::path&) {
+         ::setpgid(0, ::getpgid(::getppid()));
+         hang();
+       }},
       {"hangs, floods",
        [](const Case&, const fs::path&) {
          for (;;) flood();
