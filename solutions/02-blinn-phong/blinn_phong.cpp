@@ -72,16 +72,18 @@ GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter f
   return texture;
 }
 
-// ---- Core 3: spot lights and energy
+// ---- Core 3: spot lights
 
 glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
-  // >>> student: two cosines; a float's pi is a little less than pi, and its cosine not always -1
+  // >>> student: two cosines; do not leave it to a cosine's rounding that pi gives exactly -1
   const auto cosine = [](float angle) { return angle >= 3.14159265f ? -1.0f : std::cos(angle); };
   return {cosine(inner_angle), cosine(outer_angle)};
   // --- skeleton
   // | return {1.0f, -1.0f};
   // <<< student
 }
+
+// ---- Further: materials that keep energy
 
 void balance(glm::vec3& diffuse, glm::vec3& specular) {
   // >>> student: one factor for both, from the largest component of their sum

@@ -13,7 +13,7 @@ vec3 world_position(mat4 model, vec3 position) {
   return position;
 }
 
-// The normal in world space, of unit length. A model that is flattened in two directions leaves nothing of some normals:
+// The normal in world space, of unit length. A model that is flattened leaves nothing of some normals, or of all:
 // then the normal stays as it was.
 vec3 world_normal(mat3 normal_matrix, vec3 normal) {
   // TODO(01-transforms): multiply, test for zero length, normalise

@@ -54,7 +54,7 @@ glm::mat4 look_at(const glm::vec3& eye, const glm::vec3& target, const glm::vec3
 /// Perspective with the full vertical angle `fov_y` (radians) and aspect = width / height; the planes at distance
 /// `near` and `far` before the eye become depth -1 and +1. Throws std::invalid_argument unless 0 < fov_y <= 179 degrees
 /// (at 180 the tangent is infinite, and in floats even negative: the picture would be mirrored), aspect > 0, 0 < near <
-/// far.
+/// far. An infinite far is not for this formula: perspective_reversed takes it.
 glm::mat4 perspective(float fov_y, float aspect, float near, float far);
 
 /// The box left..right, bottom..top, -near..-far of view space becomes the cube -1..1. Near may be negative. Throws
@@ -97,9 +97,8 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
 /// radius > 0, height > 0, segments >= 3.
 Mesh cylinder_wall(float radius, float height, int segments);
 
-/// A flat rectangle centre +- half_u +- half_v with the normal half_u x half_v: four vertices in the order (-u-v),
-/// (+u-v),
-/// (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the diagonal from the first to
+/// A flat rectangle centre +- half_u +- half_v with the unit normal along half_u x half_v: four vertices in the
+/// order (-u-v), (+u-v), (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the diagonal from the first to
 /// the third. The hall's floor and ceiling are such squares: the wall hides their corners.
 Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3& half_v);
 

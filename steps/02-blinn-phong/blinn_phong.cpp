@@ -29,12 +29,14 @@ GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter f
   return texture;
 }
 
-// ---- Core 3: spot lights and energy
+// ---- Core 3: spot lights
 
 glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
-  // TODO(02-blinn-phong): two cosines; a float's pi is a little less than pi, and its cosine not always -1
+  // TODO(02-blinn-phong): two cosines; do not leave it to a cosine's rounding that pi gives exactly -1
   return {1.0f, -1.0f};
 }
+
+// ---- Further: materials that keep energy
 
 void balance(glm::vec3& diffuse, glm::vec3& specular) {
   // TODO(02-blinn-phong): one factor for both, from the largest component of their sum

@@ -25,7 +25,7 @@
 //       max(N.H, 0)^n, for unit vectors, and 1 for an exponent of 0. By the define POWER: 0: pow of the cosine; 1:
 //       stable at exponents where a cosine near 1 has lost its digits: exp(n/2 log(1 - s)) with s = |N x H|^2, and a
 //       series for the logarithm where s is small (GLSL has no log1p), 0 where N.H <= 0; 2: u_power_table, the table
-//       that power_table made, read at its texel centres (further).
+//       that power_table made, read at its texel centres (challenge).
 //   vec3 reflected(vec3 normal, vec3 to_eye, vec3 to_light, Material m)
 //       (kd + ks N(n) (N.H)^n) max(N.L, 0). Unit vectors. Nothing where N.L <= 0, no highlight where L = -V (no half
 //       vector). Keep the highlight between #ifdef SPECULAR and #endif: materials without one then get a shader without
@@ -76,12 +76,16 @@ std::vector<Image> mipmaps(const Image& base);
 GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter filter);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Core 3: spot lights and energy
+// Core 3: spot lights
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// (cos inner, cos outer) of angles from the axis, in radians, 0 <= inner <= outer <= pi. Equal angles must give equal
 /// cosines, and an angle of pi exactly -1, so that a spot that shines all round loses nothing.
 glm::vec2 cone_cosines(float inner_angle, float outer_angle);
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Further: materials that keep energy
+// ---------------------------------------------------------------------------------------------------------------------
 
 /// Scales a material's diffuse and specular colour by one common factor, so that the largest component of their sum is
 /// at most 1: the surface gives back no more than it got. Leaves materials alone that are within it; never changes the

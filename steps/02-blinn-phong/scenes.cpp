@@ -17,7 +17,6 @@ Scene facets() {
   Scene scene{.name = "facets"};
   scene.ambient = glm::vec3(0.04f);
   scene.background = {0.03f, 0.03f, 0.04f};
-  // Corners of an icosahedron with the normals of the sphere around it.
   Mesh ball = make_sphere({.radius = 1, .segments = 8, .rings = 5});
   add_object(scene, ball, add_material(scene, plastic("red", {0.7f, 0.12f, 0.1f}, 48)), {.name = "ball"});
   add_light(scene, {.type = LightType::point, .position = {1.6, 2.2, 2.4}, .colour = glm::vec3(11)});
@@ -104,8 +103,8 @@ Scene festival() {
   return scene;
 }
 
-/// Everything at its edge: a light on the surface, a light at the eye, a black and an over-bright material, a flattened
-/// model whose normals vanish, spots of 0 and 180 degrees.
+/// Everything at its edge: a light on the surface, a light at the eye, a black and an over-bright material, a needle, a
+/// box without normals, spots of 0 and 180 degrees.
 Scene edges() {
   Scene scene{.name = "edges"};
   scene.ambient = glm::vec3(0.05f);
