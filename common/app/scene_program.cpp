@@ -1,6 +1,11 @@
 #include "app/scene_program.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <vector>
 
 #include "scene/depth_range.hpp"
 #include "scene_import/scene_import.hpp"
@@ -10,8 +15,17 @@ namespace atelier {
 namespace {
 
 bool is_model_file(const std::string& name) {
-  const std::string extension = std::filesystem::path(name).extension().string();
+  std::string extension = std::filesystem::path(name).extension().string();
+  for (char& c : extension) c = char(std::tolower(static_cast<unsigned char>(c)));
   return extension == ".gltf" || extension == ".glb" || extension == ".obj";
+}
+
+/// Says on stderr what was mended or left out.
+Scene import_aloud(const std::string& file) {
+  std::vector<std::string> notes;
+  Scene scene = import_scene(file, &notes);
+  for (const std::string& note : notes) fmt::print(stderr, "note: {}: {}\n", file, note);
+  return scene;
 }
 
 }  // namespace
@@ -62,7 +76,7 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   Loaded wanted{scene, settings.values()};
   if (loaded_ == wanted && !is_model_file(scene)) return;  // a file may have changed since
   loaded_.reset();
-  scene_ = is_model_file(scene) ? import_scene(scene) : make_scene_(scene, settings);
+  scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene_(scene, settings);
   boxes_.clear();
   renderer_->configure(settings);
   renderer_->prepare(scene_);

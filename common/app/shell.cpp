@@ -119,7 +119,9 @@ int run_step(int count, char** arguments, const StepIdentity& identity) {
   tell_what_was_thrown_before_aborting();
   name_function_on_crash();
   try {
-    return run(count, arguments, identity);
+    const int status = run(count, arguments, identity);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) throw Error("the output could not be written in full");
+    return status;
   } catch (const Error& error) {
     fmt::print(stderr, "error: {}\n", error.what());
     return exit_usage;

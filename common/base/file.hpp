@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -18,6 +19,12 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit = std
 /// reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Throws Error where the disk that `folder` lies on has fewer than `bytes` left: what fails for want of space must not
+/// look like somebody's mistake.
+void require_space(const std::filesystem::path& folder, std::uintmax_t bytes);
+inline constexpr std::uintmax_t space_to_work = 32 << 20;  ///< what a step's build or pictures may take, generously
+inline constexpr std::uintmax_t space_left = 1 << 20;      ///< less, and something may not have been written
 
 /// A path beside `path` that nothing has yet: with `ending` behind its name, and "-2", "-3" ... where that is taken.
 std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending);

@@ -1,4 +1,4 @@
-// Child processes: started without a shell, bounded in time and output, never left behind.
+// Child processes: started without a shell, bounded in time and output, ended with their process group.
 #pragma once
 
 #include <chrono>

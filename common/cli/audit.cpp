@@ -81,21 +81,30 @@ std::optional<std::string> name_given(const StepResult& result, const std::optio
   return most == votes.end() ? std::nullopt : std::optional(most->first);
 }
 
-/// Whether the program answered at all: where every case is missing, nothing was proven about any.
+/// Whether the program answered at all: where it drew nothing, nothing was proven about any case.
 bool ran(const StepResult& result) {
-  return std::any_of(result.cases.begin(), result.cases.end(),
-                     [](const CaseResult& c) { return c.status != judge::Status::missing; });
+  return std::any_of(result.cases.begin(), result.cases.end(), [](const CaseResult& c) {
+    return c.status == judge::Status::passed || c.status == judge::Status::failed;
+  });
 }
 
-/// One version through the judge; nothing, with the reason in `trouble`, where it does not build or run.
-std::optional<StepResult> judge_version(const Workshop& workshop, const grade::StepJudge& judge, const Version& version,
+/// One version through the judge; nothing, with the reason in `trouble`, where it does not build, its shaders included,
+/// or does not run.
+std::optional<StepResult> judge_version(const Workshop& workshop, const grade::StepJudge& judge,
+                                        const grade::StepJudge& all_cases, const Version& version,
                                         std::string& trouble) {
   if (!version.built) {
     trouble = fmt::format("{} does not build: {}", version.name, version.log);
     return std::nullopt;
   }
   StepResult result = judge.judge(workshop.settings(version), judge::KeepEvidence::never);
-  if (!ran(result)) {
+  for (const CaseResult& c : result.cases)
+    if (c.status == judge::Status::build_failed) {
+      trouble = fmt::format("{} does not build: {}: {}", version.name, c.name, c.reason);
+      return std::nullopt;
+    }
+  // A mistake may end every case that claims it; then the others must show that it runs.
+  if (!ran(result) && !ran(all_cases.judge(workshop.settings(version), judge::KeepEvidence::never))) {
     trouble = fmt::format("{} does not run: {}", version.name, result.cases.front().reason);
     return std::nullopt;
   }
@@ -113,7 +122,7 @@ MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& crit
   const Version version = workshop.patched("mistake-" + mistake.name, mistake.patch);
   audit.built = version.built;
   const grade::StepJudge judge(criteria, claims);
-  auto result = judge_version(workshop, judge, version, audit.trouble);
+  auto result = judge_version(workshop, judge, all_cases, version, audit.trouble);
   if (!result) return audit;
   audit.claims_broken = broken_claims(*result, claims);
   audit.caught = !claims.empty() && audit.claims_broken.empty();
@@ -125,7 +134,7 @@ MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& crit
   if (mistake.spelling) {
     const Version other = workshop.patched("spelling-" + mistake.name, *mistake.spelling);
     audit.built = audit.built && other.built;
-    result = judge_version(workshop, judge, other, audit.trouble);
+    result = judge_version(workshop, judge, all_cases, other, audit.trouble);
     if (!result) return audit;
     if (!claims.empty() && broken_claims(*result, claims).size() == claims.size())
       audit.trouble = "its other spelling is not caught by " + join(claims);
@@ -140,7 +149,7 @@ MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& crit
 VariantAudit audit_variant(const Workshop& workshop, const grade::StepJudge& judge, const judge::Variant& variant) {
   VariantAudit audit{.step = workshop.step().name, .name = variant.name};
   const Version version = workshop.patched("variant-" + variant.name, variant.patch);
-  const auto result = judge_version(workshop, judge, version, audit.trouble);
+  const auto result = judge_version(workshop, judge, judge, version, audit.trouble);
   if (!result) return audit;
   audit.passed = grade::all_passed(*result);
   for (const CaseResult& c : result->cases)

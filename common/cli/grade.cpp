@@ -99,9 +99,19 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
 void write_results(judge::SubmissionResult& result, const fs::path& out) {
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
-  judge::write_results_json(out / "results.json", result);
-  judge::write_junit_xml(out / "junit.xml", result);
-  judge::write_html_report(out / "report.html", result);
+  // All beside the old ones before the first is renamed: a full disk leaves no mixture of two gradings.
+  const fs::path names[] = {"results.json", "junit.xml", "report.html"};
+  const auto beside = [&](const fs::path& name) { return out / (name.string() + ".new"); };
+  try {
+    judge::write_results_json(beside(names[0]), result);
+    judge::write_junit_xml(beside(names[1]), result);
+    judge::write_html_report(beside(names[2]), result);
+    for (const fs::path& name : names) fs::rename(beside(name), out / name);
+  } catch (...) {
+    std::error_code ignored;
+    for (const fs::path& name : names) fs::remove(beside(name), ignored);
+    throw;
+  }
 }
 
 }  // namespace
@@ -114,10 +124,15 @@ int run_grade(const GradeOptions& options) {
   const fs::path out =
       options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
 
+  const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
+  const judge::Environment environment =
+      grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
+  if (const std::string& driver = environment.at("driver"); driver.starts_with(grade::no_driver))
+    throw Error(fmt::format("nothing can be drawn on this machine, so nobody is graded: {}",
+                            driver.substr(grade::no_driver.size())));
   prepare_results_folder(out);
 
   // All references before the first program: where one is broken nobody is graded, not half of the class.
-  const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
   std::deque<grade::StepJudge> judges;
   for (const CourseStep& step : steps) {
     judges.emplace_back(grade::Criteria{.cases = grading.folders.case_file(step.name),
@@ -128,6 +143,7 @@ int run_grade(const GradeOptions& options) {
 
   judge::SubmissionResult result;
   result.submission = grading.submission.name;
+  result.environment = environment;
   Progress progress(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
     progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
@@ -135,7 +151,6 @@ int run_grade(const GradeOptions& options) {
   grade::sum_up(result);
   point_to_submission(result, grading.submission.source);
   result.notes = grading.submission.notes;
-  result.environment = grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
 
   write_results(result, out);  // first of all: whoever listens may hang up
   fmt::print("{}", options.json ? judge::results_json(result)

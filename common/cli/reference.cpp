@@ -51,6 +51,13 @@ std::vector<Answer> draw(const Workshop& workshop, const Version& version, const
   return workshop.answers(version, cases);
 }
 
+/// A mistake that ends the program in every case is none that a picture can reject.
+void require_answer(const std::string& mistake, const std::vector<Answer>& answers) {
+  const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
+  if (!answers.empty() && std::none_of(answers.begin(), answers.end(), is_normal))
+    throw Error(fmt::format("mistake '{}' does not run: {}", mistake, answers.front().error));
+}
+
 Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
                const std::vector<JudgedCase>& cases) {
   std::vector<std::vector<Answer>> answers(mistakes.size() + 2);
@@ -64,7 +71,10 @@ Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mist
               .skeleton = std::move(answers[1]),
               .truths = judge::ask_truths(workshop.settings(workshop.solution()), cases),
               .mistakes = {}};
-  for (std::size_t i = 0; i < mistakes.size(); ++i) drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    require_answer(mistakes[i].name, answers[i + 2]);
+    drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
+  }
   return drawn;
 }
 
@@ -115,6 +125,26 @@ bool would_change(const fs::path& made, const fs::path& there, const JudgedCase&
                       [&](const fs::path& f) { return says_the_same(made / f, there / f); });
 }
 
+/// Puts the files that were made of a case in the place of those that are there. All are copied beside the old ones
+/// before the first is renamed, so that a full disk leaves everything as it was.
+void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
+  const std::set<fs::path> files = files_of(made, c), old = files_of(there, c);
+  const auto beside = [&](const fs::path& file) { return there / (file.string() + ".new"); };
+  try {
+    for (const fs::path& file : files) {
+      fs::create_directories((there / file).parent_path());
+      fs::copy_file(made / file, beside(file), fs::copy_options::overwrite_existing);
+    }
+    for (const fs::path& file : files) fs::rename(beside(file), there / file);
+    for (const fs::path& file : old)
+      if (!files.contains(file)) fs::remove(there / file);
+  } catch (const fs::filesystem_error& error) {
+    std::error_code ignored;
+    for (const fs::path& file : files) fs::remove(beside(file), ignored);
+    throw Error(error.what());
+  }
+}
+
 // --- One case, one step ---
 
 /// Makes the reference in a folder of its own, and moves it only where it says something new: a run that changes
@@ -130,7 +160,7 @@ ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::
     row.margin = made.margin;
     const bool changes = would_change(fresh.path(), folder, c);
     row.state = !changes ? "as it was" : check ? "would change" : "written";
-    if (changes && !check) judge::make_reference(folder, c, material);
+    if (changes && !check) replace(fresh.path(), folder, c);
   } catch (const Error& error) {
     row.state = "refused";
     row.trouble = error.what();

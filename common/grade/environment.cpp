@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 
+#include <cstdlib>
 #include <fstream>
+#include <map>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -11,6 +13,9 @@
 #include "case/printable.hpp"
 #include "case/strict_json.hpp"
 #include "gl/context.hpp"
+#include "judge/runner.hpp"
+
+extern char** environ;
 
 namespace atelier::grade {
 namespace {
@@ -59,17 +64,41 @@ std::string gl_string(Gl& gl, GLenum name) {
   return text ? printable(text) : "unknown";
 }
 
+/// To the end of its scope our own environment is without what bends a driver, as a step program's is: what is said of
+/// the driver is then said of the one that draws.
+class DriversOwnWay {
+ public:
+  DriversOwnWay() {
+    for (char** entry = environ; *entry; ++entry) {
+      const std::string text = *entry;
+      const std::size_t equals = text.find('=');
+      if (equals != std::string::npos && judge::bends_the_driver(text))
+        held_back_[text.substr(0, equals)] = text.substr(equals + 1);
+    }
+    for (const auto& [name, value] : held_back_) ::unsetenv(name.c_str());
+  }
+  ~DriversOwnWay() {
+    for (const auto& [name, value] : held_back_) ::setenv(name.c_str(), value.c_str(), 1);
+  }
+  DriversOwnWay(const DriversOwnWay&) = delete;
+  DriversOwnWay& operator=(const DriversOwnWay&) = delete;
+
+ private:
+  std::map<std::string, std::string> held_back_;
+};
+
 struct Drawing {
   std::string context, driver;
 };
 
 Drawing describe_drawing(const std::string& context) {
+  const DriversOwnWay plain;
   try {
     const auto made = context.empty() ? make_headless_context() : make_headless_context(parse_context_kind(context));
     return {to_string(made->kind()),
             fmt::format("OpenGL {}, {}", gl_string(made->gl(), GL_VERSION), gl_string(made->gl(), GL_RENDERER))};
   } catch (const Error& error) {
-    return {context, std::string("none: ") + error.what()};
+    return {context, std::string(no_driver) + error.what()};
   }
 }
 

@@ -3,10 +3,13 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "judge/result.hpp"
 
 namespace atelier::grade {
+
+inline constexpr std::string_view no_driver = "none: ";  ///< what a driver's words begin with where there is none
 
 /// "driver" (OpenGL's own words), "context", "compiler", "cpu", "system", "atelier" (version, and commit where the
 /// project is a git checkout). A context of the kind (empty: the default) is made for it, which takes some 15 ms: ask

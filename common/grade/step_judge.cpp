@@ -18,8 +18,25 @@ using judge::CaseResult;
 using judge::JudgedCase;
 using judge::StepResult;
 
-CaseFile read_selected(const fs::path& path, const std::vector<std::string>& only) {
+/// What the file says of other files: the folder that it lies in, and the mistakes.
+void check_names(const CaseFile& file, const fs::path& path, const std::vector<judge::Mistake>& mistakes) {
+  if (const std::string folder = path.parent_path().filename().string(); file.step != folder)
+    throw Error(
+        fmt::format("{}: step: '{}' is not the name of the file's folder, '{}'", path.string(), file.step, folder));
+  if (mistakes.empty()) return;
+  std::vector<std::string> names;
+  for (const judge::Mistake& mistake : mistakes) names.push_back(mistake.name);
+  for (const JudgedCase& c : file.cases)
+    for (const std::string& name : c.rejects)
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        throw Error(fmt::format("{}: case '{}': rejects: there is no mistake '{}'{}", path.string(), c.ask.name, name,
+                                suggestion(name, names)));
+}
+
+CaseFile read_selected(const fs::path& path, const std::vector<judge::Mistake>& mistakes,
+                       const std::vector<std::string>& only) {
   CaseFile file = judge::read_case_file(path);
+  check_names(file, path, mistakes);
   if (only.empty()) return file;
   std::vector<std::string> names;
   for (const JudgedCase& c : file.cases) names.push_back(c.ask.name);
@@ -51,8 +68,12 @@ std::string first_error(const std::string& log) {
 }  // namespace
 
 StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only)
-    : file_(read_selected(criteria.cases, only)),
-      references_(file_.step, mistakes_of(criteria.mistakes), criteria.cases.parent_path(), criteria.reference_cache) {}
+    : StepJudge(criteria, only, mistakes_of(criteria.mistakes)) {}
+
+StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
+                     const std::vector<judge::Mistake>& mistakes)
+    : file_(read_selected(criteria.cases, mistakes, only)),
+      references_(file_.step, mistakes, criteria.cases.parent_path(), criteria.reference_cache) {}
 
 StepResult StepJudge::empty_result() const {
   StepResult result;

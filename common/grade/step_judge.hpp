@@ -29,7 +29,8 @@ struct Criteria {
 
 class StepJudge {
  public:
-  /// Reads the cases, those named in `only` or all. Throws Error for a broken file, and for a case that is not there.
+  /// Reads the cases, those named in `only` or all. Throws Error for a broken file, one that lies in another step's
+  /// folder or names a mistake that is not there, and for a case that is not there.
   explicit StepJudge(const Criteria& criteria, const std::vector<std::string>& only = {});
 
   const std::string& step() const { return file_.step; }
@@ -59,6 +60,8 @@ class StepJudge {
   judge::StepResult judge_absent(const std::string& why = "Nothing was handed in for this step.") const;
 
  private:
+  StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
+            const std::vector<judge::Mistake>& mistakes);
   judge::StepResult empty_result() const;
   judge::StepResult judge_all_alike(const judge::Answer& answer) const;
 

@@ -247,6 +247,7 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
   std::error_code error;
   fs::create_directories(objects, error);
   if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
+  require_space(folder, space_to_work);
   const FolderLock lock(folder);  // `watch` and `check` may build the same step at once
   if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
     remove_older(library);
@@ -270,7 +271,11 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
     }
   }
   built.log = bounded(built.log);
-  if (!built.ok) remove_older(library);
+  if (!built.ok) {
+    remove_older(library);
+    require_space(folder, space_left);
+    require_space(fs::temp_directory_path(), space_left);  // compilers leave their own files there
+  }
   return built;
 }
 

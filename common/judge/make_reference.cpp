@@ -131,6 +131,10 @@ void check_mistakes(const JudgedCase& c, const ReferenceMaterial& material, cons
   for (const std::string& claimed : c.rejects) {
     const auto found = made.margins.find(claimed);
     if (found == made.margins.end()) refuse(c, fmt::format("it claims to reject '{}', which was not drawn", claimed));
+    // Where there is nothing to be compared nothing is proven, unless the mistake itself ended the program.
+    if (const Answer& answer = material.mistakes.at(claimed);
+        answer.ended == Answer::Ended::missing || answer.ended == Answer::Ended::build_failed)
+      refuse(c, fmt::format("it claims to reject '{}', which has no answer: {}", claimed, answer.error));
     if (found->second < least_margin)
       refuse(c, fmt::format(
                     "it claims to reject '{}', which lies {:.2f} tolerances away where at least {:.2g} are needed; "

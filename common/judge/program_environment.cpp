@@ -9,15 +9,11 @@
 extern char** environ;
 
 namespace atelier::judge {
-namespace {
-
 bool bends_the_driver(const std::string& variable) {
   constexpr const char* prefixes[] = {"LP_", "GALLIUM_", "GALLIVM_", "MESA_", "LIBGL_", "LD_", "LC_"};
   return std::any_of(std::begin(prefixes), std::end(prefixes),
                      [&](const char* prefix) { return variable.starts_with(prefix); });
 }
-
-}  // namespace
 
 std::map<std::string, std::string> program_environment(const RunSettings& settings) {
   std::map<std::string, std::string> environment;

@@ -120,6 +120,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
   const auto indices =
       deal(cases, asking_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
   const TemporaryFolder folder("atelier-run");
+  require_space(folder.path(), space_to_work);
   int time_outs = 0;
   std::vector<std::unique_ptr<Share>> shares;
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -132,6 +133,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
     for (const auto& share : shares)
       if (!share->done()) share->advance();
   }
+  require_space(folder.path(), space_left);
   return answers;
 }
 

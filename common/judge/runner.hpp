@@ -70,6 +70,9 @@ using OnAnswer = std::function<void(std::size_t, const Answer&)>;
 std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Case>& cases,
                               const OnAnswer& on_answer = {});
 
+/// Whether a variable of the environment changes what a driver draws or says of itself.
+bool bends_the_driver(const std::string& variable);
+
 /// The environment that a step program gets: ours without what bends a driver or the loader (LP_*, GALLIUM_*,
 /// GALLIVM_*, MESA_*, LIBGL_*, LD_*, LC_*), and then set in full: the same picture comes out whoever runs the judge.
 std::map<std::string, std::string> program_environment(const RunSettings& settings);

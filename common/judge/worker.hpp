@@ -1,4 +1,4 @@
-// One running step program: started without a shell, listened to while it runs, killed with all that it has started.
+// One running step program: started without a shell, listened to while it runs, killed with its process group.
 //
 // The program tells what it is about on a pipe of its own, the descriptor `progress_descriptor`; what it prints is kept
 // apart and means nothing. See base/process.hpp for programs that are only waited for.

@@ -65,8 +65,8 @@ void Renderer::prepare(const Scene& scene) {
 
 std::filesystem::path Renderer::find_shader(const std::string& name) const {
   if (const auto found = implementations_.find(name); !found.empty()) return found;
-  const auto own = own_shaders / name;
-  return std::filesystem::exists(own) ? own : std::filesystem::path();
+  // Ours are found by the same rule: no name leads out of the folder, into files that are not for shaders to read.
+  return Implementations({{own_shaders, ""}}).find(name);
 }
 
 namespace {

@@ -41,6 +41,7 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
       {"half an archive", {"grade", path("cut.zip"), "--out", out}, "is cut off or damaged"},
       {"steps too deep", {"grade", path("deep"), "--out", out}, "deep/a/b: give that folder"},
       {"a step's own folder", {"grade", "solutions/00-hello", "--out", out}, "give the folder that it is in"},
+      {"a step that is not there", {"grade", "solutions", "--step", "99", "--out", out}, "99"},
       {"no worker", {"grade", "solutions", "--workers", "0", "--out", out}, "--workers"},
       {"a case of no step", {"reference", "--case", "x"}, "--case"},
       {"no step to run", {"run"}, "which step"},
@@ -137,6 +138,34 @@ TEST_CASE("what a student's code throws costs the case that throws it", "[bad-in
     passed += c["status"] == "passed";
   }
   CHECK(passed > 10);
+}
+
+TEST_CASE("the driver that is told of is the one that draws, whatever the caller's environment says", "[bad-input]") {
+  const TemporaryFolder folder;
+  const auto driver = [&](const char* settings) {
+    const Finished finished =
+        run_process({.arguments = {"sh", "-c",
+                                   std::string("exec env ") + settings +
+                                       " \"$0\" grade solutions --step 00 --json --out \"$1\" " + "2>/dev/null",
+                                   (folders().build / "bin/atelier").string(), folder.path().string()},
+                     .folder = folders().root});
+    const auto results = nlohmann::json::parse(finished.output);
+    CHECK(results["score"] == results["max_score"]);
+    return results["environment"]["driver"].get<std::string>();
+  };
+  CHECK(driver("GALLIUM_DRIVER=softpipe MESA_GL_VERSION_OVERRIDE=4.6") == driver(""));
+}
+
+TEST_CASE("where nothing can be drawn nobody is graded", "[bad-input]") {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  const Finished finished = run_process(
+      {.arguments = {"env", "-u", "DISPLAY", "-u", "WAYLAND_DISPLAY", (folders().build / "bin/atelier").string(),
+                     "grade", "solutions", "--step", "00", "--context", "window", "--out", out.string()},
+       .folder = folders().root});
+  CHECK(finished.exit_status == 2);
+  CHECK(mentions(finished.output, {"error: nothing can be drawn on this machine, so nobody is graded: "}));
+  CHECK_FALSE(std::filesystem::exists(out));
 }
 
 TEST_CASE("progress goes to stderr, and leaves the JSON on stdout as it is", "[bad-input]") {

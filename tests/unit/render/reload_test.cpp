@@ -51,6 +51,19 @@ TEST_CASE("an edited shader is taken without a restart", "[reload]") {
   CHECK(studio.draw() == Rgba{0, 1, 0, 1});
 }
 
+TEST_CASE("a shader reads no file from outside of the folders that it is given", "[reload]") {
+  const TemporaryFolder folder;
+  const auto secret = folder.path() / "secret.glsl";
+  write_file(secret, "vec3 shade(Surface surface) { return vec3(1.0); }\n");
+  for (const std::string& name : {secret.string(), "../" + folder.path().filename().string() + "/secret.glsl",
+                                  std::string("00-fake/../../secret.glsl")}) {
+    INFO(name);
+    ReloadStudio studio;
+    studio.shaders.write(file, "#include \"" + name + "\"\n");
+    CHECK(mentions(error_of([&] { studio.draw(); }), {name}));
+  }
+}
+
 TEST_CASE("a broken shader leaves the last good one in place", "[reload]") {
   ReloadStudio studio;
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
