@@ -74,7 +74,7 @@
 //       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none,
 //       1 constant, 2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS
 //       is not 0 its z is lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined.
-//       With BIAS == 4 and with PCSS the slope is plane_slope of the coordinate's derivatives, and z is lowered by
+//       With BIAS == 4 and with PCSS the slope is plane_slope(dFdx(coordinate), dFdy(coordinate)), and z is lowered by
 //       u_bias * RESIDUAL * (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that
 //       stands for the point. Otherwise the slope is zero.
 //   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
@@ -102,7 +102,7 @@ struct LightFrustum {
   glm::vec3 eye{0};               ///< from where depth is measured
   glm::vec3 direction{0, -1, 0};  ///< of unit length: the way that it looks
   float extent = 1;               ///< half the angle of view, radians; orthographic: half the width, metres
-  float near = 0.1f, far = 100;   ///< metres along the direction, neither below 0
+  float near = 0.1f, far = 100;   ///< metres along the direction; a spot's above 0, a box's may be below
 };
 
 /// Depth maps of one size, one layer a light, and the framebuffer through which they are drawn. Names (numbers) of
@@ -145,7 +145,7 @@ LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, flo
 
 /// World space to the light's space, which looks along -z as a camera does: step 01's look_at from `eye` along
 /// `direction`, with +y up. Right also far from the world's origin, where `eye` + `direction` has lost the direction's
-/// digits: so turn at the origin, and move afterwards.
+/// digits: so move the eye to the origin first, and turn there.
 glm::mat4 light_view(const LightFrustum& frustum);
 
 /// The light's space to clip space, square: step 01's perspective or orthographic.
