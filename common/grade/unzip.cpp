@@ -112,9 +112,12 @@ class Utf8Text {
   locale_t utf8_, before_ = nullptr;
 };
 
+/// A member's path, without the "./" that some programs put in front.
 std::string name_of(archive_entry* entry) {
   const char* path = archive_entry_pathname(entry);
-  return path ? path : "(a member without a readable name)";
+  std::string name = path ? path : "(a member without a readable name)";
+  while (name.starts_with("./")) name.erase(0, 2);
+  return name;
 }
 
 class ZipReader {

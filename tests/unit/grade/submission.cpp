@@ -61,6 +61,7 @@ TEST_CASE("only the wanted members of a ZIP are read") {
        {{"01-move/move.cpp", "int a;"}, {"02-light/light.glsl", "b"}},
        {{"01-move/move.cpp", "int a;"}, {"02-light/light.glsl", "b"}}},
       {"one folder in front", {{"ada/01-move/move.cpp", "a"}}, {{"01-move/move.cpp", "a"}}},
+      {"a dot and a folder in front", {{"./ada/01-move/move.cpp", "a"}}, {{"01-move/move.cpp", "a"}}},
       {"others are left alone",
        {{"01-move/CMakeLists.txt", "x"}, {"README", "x"}, {"01-move/move.cpp", "a"}},
        {{"01-move/move.cpp", "a"}}},
