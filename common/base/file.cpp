@@ -116,10 +116,8 @@ void require_space(const fs::path& folder, std::uintmax_t bytes) {
   std::error_code unknown;
   const fs::space_info space = fs::space(folder, unknown);
   if (!unknown && space.available < bytes)
-    throw Error(
-        fmt::format("{}: the disk is full, {:.1f} MB are left and {:.1f} MB needed; make room, or let TMPDIR name "
-                    "another folder",
-                    folder.string(), double(space.available) / 1e6, double(bytes) / 1e6));
+    throw Error(fmt::format("{}: the disk is full, {:.1f} MB are left and {:.1f} MB needed; make room there",
+                            folder.string(), double(space.available) / 1e6, double(bytes) / 1e6));
 }
 
 std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending) {

@@ -62,11 +62,12 @@ const CaseResult& result_of(const StepResult& step, const std::string& name) {
   return *std::find_if(step.cases.begin(), step.cases.end(), [&](const CaseResult& c) { return c.name == name; });
 }
 
-/// The claiming cases that the version passes all the same.
+/// The claiming cases that do not catch the version.
 std::vector<std::string> broken_claims(const StepResult& result, const std::vector<std::string>& claims) {
   std::vector<std::string> broken;
   for (const std::string& name : claims)
-    if (!loses_points(result_of(result, name))) broken.push_back(name);
+    if (const CaseResult& c = result_of(result, name); !loses_points(c) || c.status == judge::Status::missing)
+      broken.push_back(name);  // without an answer nothing is proven
   return broken;
 }
 
@@ -104,7 +105,8 @@ std::optional<StepResult> judge_version(const Workshop& workshop, const grade::S
       return std::nullopt;
     }
   // A mistake may end every case that claims it; then the others must show that it runs.
-  if (!ran(result) && !ran(all_cases.judge(workshop.settings(version), judge::KeepEvidence::never))) {
+  if (!ran(result) &&
+      (&judge == &all_cases || !ran(all_cases.judge(workshop.settings(version), judge::KeepEvidence::never)))) {
     trouble = fmt::format("{} does not run: {}", version.name, result.cases.front().reason);
     return std::nullopt;
   }
@@ -141,7 +143,7 @@ MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& crit
   }
   audit.named = name_given(*result, audit.expected_case);
   if (claims.empty()) audit.trouble = "no case claims to catch it";
-  if (!audit.claims_broken.empty()) audit.trouble = "it passes " + join(audit.claims_broken);
+  if (!audit.claims_broken.empty()) audit.trouble = "it is not caught by " + join(audit.claims_broken);
   if (audit.named && audit.named != mistake.name) audit.trouble = fmt::format("the verdict calls it {}", *audit.named);
   return audit;
 }
@@ -157,17 +159,6 @@ VariantAudit audit_variant(const Workshop& workshop, const grade::StepJudge& jud
   return audit;
 }
 
-/// A case that claims to catch what is no mistake of the step proves nothing.
-void refuse_unknown_claims(const grade::StepJudge& judge, const std::vector<judge::Mistake>& mistakes) {
-  std::vector<std::string> known;
-  for (const judge::Mistake& mistake : mistakes) known.push_back(mistake.name);
-  for (const JudgedCase& c : judge.cases())
-    for (const std::string& name : c.rejects)
-      if (std::find(known.begin(), known.end(), name) == known.end())
-        throw Error(fmt::format("{}: case '{}': rejects: there is no mistake '{}'{}", judge.step(), c.ask.name, name,
-                                suggestion(name, known)));
-}
-
 void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& audit) {
   const grade::Criteria criteria{.cases = folders.case_file(step.name),
                                  .mistakes = folders.mistakes_file(step.name),
@@ -178,7 +169,6 @@ void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& au
   const auto variants = fs::exists(folders.variants_file(step.name))
                             ? judge::read_variants(folders.variants_file(step.name))
                             : std::vector<judge::Variant>{};
-  refuse_unknown_claims(judge, mistakes);
 
   const Workshop workshop(folders, step);
   std::vector<MistakeAudit> audited_mistakes(mistakes.size());

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <exception>
 
 #include "base/error.hpp"
 #include "cli/after_pass.hpp"
@@ -67,8 +68,15 @@ int run_check(const CheckOptions& options) {
   result.submission = "yours";
   result.steps.push_back(check.judge([&] { return stop.asked(); }));
   grade::sum_up(result);
-  check.record(result.steps.front());  // first of all: whoever listens may hang up
+  // Recorded first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  std::exception_ptr not_recorded;
+  try {
+    check.record(result.steps.front());
+  } catch (const Error&) {
+    not_recorded = std::current_exception();
+  }
   if (!options.json) print_verdict(result.steps.front(), options, report);
+  if (not_recorded) std::rethrow_exception(not_recorded);
 
   if (options.json || !options.skip_report)
     result.environment = grade::describe_environment(options.context, folders.step_flags(), folders.root);

@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <deque>
+#include <exception>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -152,9 +153,16 @@ int run_grade(const GradeOptions& options) {
   point_to_submission(result, grading.submission.source);
   result.notes = grading.submission.notes;
 
-  write_results(result, out);  // first of all: whoever listens may hang up
+  // Written first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  std::exception_ptr not_written;
+  try {
+    write_results(result, out);
+  } catch (const std::exception&) {
+    not_written = std::current_exception();
+  }
   fmt::print("{}", options.json ? judge::results_json(result)
                                 : judge::terminal_report(result, judge::terminal_style(STDOUT_FILENO)));
+  if (not_written) std::rethrow_exception(not_written);
   if (!options.json) fmt::print("Results: {}\n", out.string());
   return exit_ok;
 }

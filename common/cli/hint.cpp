@@ -16,13 +16,14 @@ int run_hint(const HintOptions& options) {
   const auto course = read_course(folders.step_flags());
   const CourseStep& step = resolve_step(course, options.step);
   const int width = std::min(100, judge::terminal_style(STDOUT_FILENO).width);
-  ProgressRecord record = read_progress(folders.progress());
   if (options.level) {
+    const ProgressRecord record = read_progress(folders.progress());
     fmt::print("{}", hint_text(hint_at(folders, step, options.case_name, record, *options.level), width));
     return exit_ok;
   }
-  const Hint hint = next_hint(folders, step, options.case_name, record);
-  write_progress(folders.progress(), record);
+  Hint hint;
+  change_progress(folders.progress(),
+                  [&](ProgressRecord& record) { hint = next_hint(folders, step, options.case_name, record); });
   fmt::print("{}", hint_text(hint, width));
   return exit_ok;
 }

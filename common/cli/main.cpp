@@ -1,14 +1,14 @@
 // The program behind ./atelier. CLI11 costs six seconds to compile, so it is included here and nowhere else.
 #include <fmt/format.h>
+#include <poll.h>
 #include <signal.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
 #include <exception>
 #include <functional>
-#include <system_error>
 
 #include "base/error.hpp"
 #include "case/suggest.hpp"
@@ -298,15 +298,13 @@ int main(int count, char** arguments) {
   try {
     status = atelier::run(count, arguments);
     // What a pipe or a full disk did not take was not said.
-    errno = 0;
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
-      if (errno == EPIPE) return hung_up;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
       throw atelier::Error("the output could not be written in full");
-    }
   } catch (const std::exception& error) {
-    const auto* reason = dynamic_cast<const std::system_error*>(&error);
-    if (reason && reason->code() == std::errc::broken_pipe) return hung_up;
-    std::fflush(stdout);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
+      pollfd listener{STDOUT_FILENO, POLLOUT, 0};
+      if (::poll(&listener, 1, 0) == 1 && (listener.revents & POLLERR)) return hung_up;
+    }
     fmt::print(stderr, "error: {}\n", error.what());
     status = atelier::exit_usage;
   }

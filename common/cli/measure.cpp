@@ -121,6 +121,7 @@ int handle_handout(const ProjectFolders& folders, const CourseStep& step, Plan p
                    const measure::Listing& listing, bool check) {
   std::erase_if(plan.sweeps, [](const auto& sweep) { return !sweep.handout; });
   plan.fronts.clear();  // they show times, which belong to one machine
+  if (plan.sweeps.empty()) throw Error(fmt::format("{}: no sweep of those asked for is in the handout", step.name));
   const measure::StepMeasured measured = carry_out(plan, program, listing, 0);
   int status = exit_ok;
   for (const auto& sweep : measured.sweeps) {

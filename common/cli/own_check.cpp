@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <chrono>
 #include <future>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "cli/own_files.hpp"
@@ -20,9 +22,14 @@ namespace fs = std::filesystem;
 /// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart from all others.
 grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
   if (options.sources.empty()) return code_of(folders, Owner::mine);
-  const fs::path sources = fs::weakly_canonical(options.sources);
-  return {.sources = sources,
-          .libraries = folders.implementations() / "elsewhere" / judge::sha256(sources.string()).substr(0, 16)};
+  const fs::path sources = fs::weakly_canonical(options.sources), all = folders.implementations() / "elsewhere";
+  const fs::path ours = all / judge::sha256(sources.string()).substr(0, 16);
+  // What nobody has built in for a day is built anew where it is asked for again.
+  std::error_code none;
+  for (const auto& other : fs::directory_iterator(all, none))
+    if (other.path() != ours && fs::file_time_type::clock::now() - other.last_write_time(none) > std::chrono::hours(24))
+      fs::remove_all(other.path(), none);
+  return {.sources = sources, .libraries = ours};
 }
 
 /// The picture that an editor shows: the first one that fails, or the first one.
@@ -88,9 +95,7 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
 void OwnCheck::record(const judge::StepResult& result) const {
   if (!counts_as_progress()) return;
   if (digest_of_files(folders_.steps() / step_.name, step_.files) != judged_files_) return;
-  ProgressRecord progress = read_progress(folders_.progress());
-  record_check(progress, result, judged_files_);
-  write_progress(folders_.progress(), progress);
+  change_progress(folders_.progress(), [&](ProgressRecord& record) { record_check(record, result, judged_files_); });
 }
 
 fs::path own_report_folder(const ProjectFolders& folders, const std::string& step) {

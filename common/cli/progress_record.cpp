@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/folder_lock.hpp"
 #include "case/strict_json.hpp"
 #include "judge/sha256.hpp"
 
@@ -113,9 +114,16 @@ void write_progress(const fs::path& file, const ProgressRecord& record) {
   write_file(file, OrderedJson{{"schema", 1}, {"steps", steps}}.dump(2) + "\n");
 }
 
+void change_progress(const fs::path& file, const std::function<void(ProgressRecord&)>& change) {
+  const FolderLock lock(file.parent_path());
+  ProgressRecord record = read_progress(file);
+  change(record);
+  write_progress(file, record);
+}
+
 void record_check(ProgressRecord& record, const judge::StepResult& result, const std::string& files) {
   CheckRecord check{.when = now_in_utc(), .score = result.score, .max_score = result.max_score, .files = files};
-  for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.done();
+  for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.status == judge::Status::passed;
   StepProgress& step = record[result.step];
   step.best = std::max(step.best, check.score);
   step.check = std::move(check);

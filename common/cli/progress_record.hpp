@@ -14,6 +14,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -50,6 +51,9 @@ ProgressRecord read_progress(const std::filesystem::path& file);
 
 /// Writes the whole record beside and renames it.
 void write_progress(const std::filesystem::path& file, const ProgressRecord& record);
+
+/// Reads the record, has it changed, and writes it, while no other process does so: two terminals lose nothing.
+void change_progress(const std::filesystem::path& file, const std::function<void(ProgressRecord&)>& change);
 
 /// Takes down a check of all cases, of files with this digest, as of now. Hints stay.
 void record_check(ProgressRecord& record, const judge::StepResult& result, const std::string& files);

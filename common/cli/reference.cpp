@@ -51,7 +51,7 @@ std::vector<Answer> draw(const Workshop& workshop, const Version& version, const
   return workshop.answers(version, cases);
 }
 
-/// A mistake that ends the program in every case is none that a picture can reject.
+/// A mistake that ends the program in every case of a step is none that a picture can reject.
 void require_answer(const std::string& mistake, const std::vector<Answer>& answers) {
   const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
   if (!answers.empty() && std::none_of(answers.begin(), answers.end(), is_normal))
@@ -59,7 +59,7 @@ void require_answer(const std::string& mistake, const std::vector<Answer>& answe
 }
 
 Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
-               const std::vector<JudgedCase>& cases) {
+               const std::vector<JudgedCase>& cases, bool whole_step) {
   std::vector<std::vector<Answer>> answers(mistakes.size() + 2);
   for_each_parallel(answers.size(), worker_threads(), [&](std::size_t i) {
     const Version version = i == 0   ? workshop.solution()
@@ -72,7 +72,7 @@ Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mist
               .truths = judge::ask_truths(workshop.settings(workshop.solution()), cases),
               .mistakes = {}};
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
-    require_answer(mistakes[i].name, answers[i + 2]);
+    if (whole_step) require_answer(mistakes[i].name, answers[i + 2]);
     drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
   }
   return drawn;
@@ -102,7 +102,8 @@ std::set<fs::path> files_of(const fs::path& folder, const JudgedCase& c) {
   }
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder / "atlas", none))
-    if (entry.path().filename().string().starts_with(c.ask.name + "--")) add(entry.path());
+    if (entry.path().filename().string().starts_with(c.ask.name + "--") && entry.path().extension() != ".new")
+      add(entry.path());
   return files;
 }
 
@@ -175,7 +176,7 @@ std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseS
       options.cases);
   const fs::path mistakes_file = folders.mistakes_file(step.name);
   const auto mistakes = fs::exists(mistakes_file) ? judge::read_mistakes(mistakes_file) : std::vector<judge::Mistake>{};
-  const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases());
+  const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases(), options.cases.empty());
 
   std::vector<ReferenceRow> rows(judge.cases().size());
   for_each_parallel(rows.size(), worker_threads(), [&](std::size_t i) {

@@ -1,5 +1,6 @@
 // ./atelier run: a step's own program with the student's files in it.
 #include <fmt/format.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -28,6 +29,7 @@ int run_run(const RunOptions& options) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   std::fflush(stdout);
+  ::signal(SIGPIPE, SIG_DFL);  // which we ignore: a program inherits that
   ::execv(pointers[0], pointers.data());
   throw Error(fmt::format("{}: cannot be started: {}; build the project again", arguments[0], std::strerror(errno)));
 }

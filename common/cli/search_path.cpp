@@ -41,7 +41,7 @@ std::set<std::string> given_shaders(const fs::path& folder, const CourseStep& st
   std::error_code missing;
   for (const auto& entry : fs::directory_iterator(folder, missing))
     if (const std::string name = entry.path().filename().string();
-        name.ends_with(".glsl") && std::ranges::count(step.files, name) == 0)
+        name.ends_with(".glsl") && name.find_first_of(":=") == name.npos && std::ranges::count(step.files, name) == 0)
       names.insert(name);
   return names;
 }

@@ -62,11 +62,12 @@ fs::path program_of(const ProjectFolders& folders, const std::string& table) {
 }
 
 /// What the table's program has written.
-OrderedJson try_table(const ProjectFolders& folders, const std::string& table, const fs::path& out) {
+OrderedJson try_table(const ProjectFolders& folders, const CourseStep& step, const fs::path& out) {
+  const std::string& table = step.name;
   const fs::path file = out / (table + ".json");
   std::error_code none;
   fs::remove(file, none);  // yesterday's must not be taken for today's
-  const Implementations solutions = search_path(folders, {.name = table}, code_of(folders, Owner::solution), {});
+  const Implementations solutions = search_path(folders, step, code_of(folders, Owner::solution), {});
   const Finished finished =
       run_process({.arguments = {program_of(folders, table), solutions.to_string(), file.string()}});
   if (!finished.ok())
@@ -157,7 +158,8 @@ int run_stability(const StabilityOptions& options) {
   std::vector<StabilityRow> rows;
   OrderedJson answers = OrderedJson::array();
   for (const std::string& table : tables) {
-    const OrderedJson answer = try_table(folders, table, out);
+    const auto step = std::find_if(course.begin(), course.end(), [&](const CourseStep& s) { return s.name == table; });
+    const OrderedJson answer = try_table(folders, step == course.end() ? CourseStep{.name = table} : *step, out);
     for (const OrderedJson& row : answer.at("rows")) rows.push_back(row_of(table, row));
     for (const OrderedJson& sweep : answer.at("sweeps")) write_sweep(sweep, out, with_plots);
     answers.push_back(answer);

@@ -218,9 +218,9 @@ void Session::show_all() const {
 
 void Session::show_hint() {
   try {
-    ProgressRecord record = read_progress(check_.folders().progress());
-    const Hint hint = next_hint(check_.folders(), check_.step(), "", record);
-    write_progress(check_.folders().progress(), record);
+    Hint hint;
+    change_progress(check_.folders().progress(),
+                    [&](ProgressRecord& record) { hint = next_hint(check_.folders(), check_.step(), "", record); });
     fmt::print("\n{}", hint_text(hint, style_.width));
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());
@@ -279,7 +279,7 @@ void Session::reset() {
 Going Session::run() {
   judge_and_show();
   for (;;) {
-    std::fflush(stdout);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return Going::away;  // nobody listens any more
     wait();
     if (saved_) {
       settle();

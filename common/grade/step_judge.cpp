@@ -23,7 +23,6 @@ void check_names(const CaseFile& file, const fs::path& path, const std::vector<j
   if (const std::string folder = path.parent_path().filename().string(); file.step != folder)
     throw Error(
         fmt::format("{}: step: '{}' is not the name of the file's folder, '{}'", path.string(), file.step, folder));
-  if (mistakes.empty()) return;
   std::vector<std::string> names;
   for (const judge::Mistake& mistake : mistakes) names.push_back(mistake.name);
   for (const JudgedCase& c : file.cases)
@@ -33,10 +32,11 @@ void check_names(const CaseFile& file, const fs::path& path, const std::vector<j
                                 suggestion(name, names)));
 }
 
-CaseFile read_selected(const fs::path& path, const std::vector<judge::Mistake>& mistakes,
+CaseFile read_selected(const Criteria& criteria, const std::vector<judge::Mistake>& mistakes,
                        const std::vector<std::string>& only) {
+  const fs::path& path = criteria.cases;
   CaseFile file = judge::read_case_file(path);
-  check_names(file, path, mistakes);
+  if (fs::exists(criteria.mistakes)) check_names(file, path, mistakes);
   if (only.empty()) return file;
   std::vector<std::string> names;
   for (const JudgedCase& c : file.cases) names.push_back(c.ask.name);
@@ -72,7 +72,7 @@ StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& o
 
 StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
                      const std::vector<judge::Mistake>& mistakes)
-    : file_(read_selected(criteria.cases, mistakes, only)),
+    : file_(read_selected(criteria, mistakes, only)),
       references_(file_.step, mistakes, criteria.cases.parent_path(), criteria.reference_cache) {}
 
 StepResult StepJudge::empty_result() const {
@@ -154,7 +154,8 @@ void sum_up(judge::SubmissionResult& submission) {
 }
 
 bool all_passed(const StepResult& step) {
-  return std::all_of(step.cases.begin(), step.cases.end(), [](const CaseResult& c) { return c.done(); });
+  return std::all_of(step.cases.begin(), step.cases.end(),
+                     [](const CaseResult& c) { return c.status == judge::Status::passed; });
 }
 
 }  // namespace atelier::grade

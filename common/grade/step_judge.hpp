@@ -74,7 +74,7 @@ class StepJudge {
 void sum_up(judge::StepResult& step);
 void sum_up(judge::SubmissionResult& submission);
 
-/// Whether every case passed, or asks for what this driver does not have.
+/// Whether every case passed.
 bool all_passed(const judge::StepResult& step);
 
 }  // namespace atelier::grade

@@ -144,6 +144,7 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
   if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
 
+  require_space(objects, space_to_work);
   forget_record(recipe);
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
@@ -247,7 +248,6 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
   std::error_code error;
   fs::create_directories(objects, error);
   if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
-  require_space(folder, space_to_work);
   const FolderLock lock(folder);  // `watch` and `check` may build the same step at once
   if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
     remove_older(library);
@@ -274,7 +274,8 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
   if (!built.ok) {
     remove_older(library);
     require_space(folder, space_left);
-    require_space(fs::temp_directory_path(), space_left);  // compilers leave their own files there
+    // Compilers leave their own files there.
+    if (const fs::path theirs = fs::temp_directory_path(error); !error) require_space(theirs, space_left);
   }
   return built;
 }

@@ -40,7 +40,6 @@ struct CaseResult {
   std::string name, title;
   Status status = Status::missing;
   double score = 0, max_score = 0;
-  bool optional = false;  ///< asks for what not every driver has, and so is worth no points
 
   std::string asked;   ///< what the case asks for, in one sentence
   std::string reason;  ///< what was seen, in one sentence; for a pass, the margin
@@ -60,9 +59,6 @@ struct CaseResult {
   std::optional<Evidence> evidence;  ///< absent for probes, and where there was no picture
   std::string table;                 ///< of a probe: inputs, yours, expected, the worst first; preformatted text
   std::string output;                ///< what the program printed or threw, bounded; untrusted text
-
-  /// Passed, or could not be drawn by this driver.
-  bool done() const { return status == Status::passed || (optional && status == Status::missing); }
 };
 
 struct StepResult {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace atelier::measure {
 namespace {
@@ -34,7 +35,7 @@ Finding slope_finding(const SweepResult& result, const Expectation& e, const std
 Finding order_finding(const SweepResult& result, const Expectation& e, const std::string& curve) {
   std::vector<std::string> words;
   bool met = true;
-  double before = -1;
+  double before = -std::numeric_limits<double>::infinity();
   for (const std::string& value : e.values) {
     const double error = error_at(result, curve, value);
     met = met && error >= before;
@@ -45,7 +46,7 @@ Finding order_finding(const SweepResult& result, const Expectation& e, const std
 }
 
 Finding at_most_finding(const SweepResult& result, const Expectation& e, const std::string& curve) {
-  double most = 0;
+  double most = -std::numeric_limits<double>::infinity();
   std::string value;
   for (const Point& p : result.points)
     if (p.curve == curve && p.error >= most) most = p.error, value = p.value;

@@ -98,7 +98,8 @@ class Checker {
 /// `count` numbers from low to high, evenly by factors.
 std::vector<double> by_factors(double low, double high, int count) {
   std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(low * std::pow(high / low, double(i) / (count - 1)));
+  for (int i = 0; i < count; ++i)
+    values.push_back(std::min(high, low * std::pow(high / low, double(i) / (count - 1))));  // rounding goes beyond
   return values;
 }
 

@@ -50,10 +50,13 @@ Snapshot step_shaders(const Implementations& implementations) {
   Snapshot snapshot;
   std::error_code missing;  // a folder may come and go while we look: it is then an empty one
   for (const Implementations::Root& root : implementations.roots())
-    for (const auto& step : fs::directory_iterator(root.folder, missing))
+    for (const auto& step : fs::directory_iterator(root.folder, missing)) {
+      const std::string name = step.path().filename().string();
+      if (!root.only.empty() && root.only != name && !root.only.starts_with(name + "/")) continue;
       for (const auto& file : fs::directory_iterator(step.path(), missing))
-        if (is_shader(file.path()) && root.answers_for(fs::relative(file.path(), root.folder).string()))
+        if (is_shader(file.path()) && root.answers_for(name + "/" + file.path().filename().string()))
           look_at_file(snapshot, file.path());
+    }
   return snapshot;
 }
 
