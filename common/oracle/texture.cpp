@@ -10,10 +10,13 @@ namespace {
 /// The texel that stands at place i of the endless row that `wrap` makes of `count` texels. As a double, whose whole
 /// numbers reach further than an int's.
 int wrapped(double i, int count, Wrap wrap) {
-  const auto remainder = [&](double period) { return int(i - period * std::floor(i / period)); };
-  if (wrap == Wrap::repeat) return std::min(remainder(count), count - 1);
+  // Where i is so large that its digits end before the point, rounding leads out of the period.
+  const auto remainder = [&](double period) {
+    return int(std::clamp(i - period * std::floor(i / period), 0.0, period - 1));
+  };
+  if (wrap == Wrap::repeat) return remainder(count);
   if (wrap == Wrap::clamp_to_edge) return int(std::clamp(i, 0.0, double(count - 1)));
-  const int place = std::clamp(remainder(2.0 * count), 0, 2 * count - 1);
+  const int place = remainder(2.0 * count);
   return place < count ? place : 2 * count - 1 - place;
 }
 

@@ -58,7 +58,9 @@ void Renderer::prepare(const Scene& scene) {
                        GlBuffer(gl_, made.index_buffer), made.count, box_of(mesh)});
     gl_.BindVertexArray(0);
   }
+  check_gl_error(gl_, "upload_mesh");  // now, or it would be told of where nothing is wrong
   for (auto& feature : features_) feature->prepare(gl_, scene);
+  check_gl_error(gl_, "making the textures of the scene");
 }
 
 // ---- Programs

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "scene_import/scene_import.hpp"
@@ -49,8 +50,10 @@ std::filesystem::path resolve_reference(const std::filesystem::path& folder, con
       throw Error(fmt::format("it names {}, which climbs out of the model's own folder", quoted(reference)));
 
   // A link inside the folder must not lead out of it either.
-  const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder);
-  const auto target = std::filesystem::weakly_canonical(home / path);
+  std::error_code error;
+  const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
+  const auto target = error ? home : std::filesystem::weakly_canonical(home / path, error);
+  if (error) throw Error(fmt::format("it names {}, which is no path: {}", quoted(reference), error.message()));
   const auto relative = target.lexically_relative(home);
   if (relative.empty() || *relative.begin() == "..")
     throw Error(fmt::format("it names {}, a link that leads out of the model's own folder", quoted(reference)));

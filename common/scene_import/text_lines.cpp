@@ -4,7 +4,8 @@
 
 #include <charconv>
 #include <cmath>
-#include <limits>
+#include <cstdlib>
+#include <string>
 #include <utility>
 
 #include "base/error.hpp"
@@ -73,7 +74,9 @@ std::optional<float> TextLines::number() {
   // Through double, so that numbers below a float's range become zero and those above it infinity.
   double value = 0;
   const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (problem == std::errc::result_out_of_range) return std::numeric_limits<float>::infinity();
+  // Too large for a double, or too small: from_chars does not say which of the two.
+  if (problem == std::errc::result_out_of_range)
+    return float(std::strtod(std::string(digits.data(), end).c_str(), nullptr));
   if (problem != std::errc() || end != digits.data() + digits.size())
     fail(fmt::format("'{}' is no number", text.substr(0, 40)));
   return float(value);

@@ -50,6 +50,7 @@ TEST_CASE("faces come in all the ways that OBJ writes them", "[scene_import]") {
       {"a line continued", square + "f 1 2 \\\n 3 4\n", 2, 1},
       {"comments and a mark of UTF-8", "\xef\xbb\xbf# head\n" + square + "f 1 2 3 # tail\n", 1, 0.5},
       {"numbers of all kinds", "v +0. .0 -0\nv 1e0 0 0e5\nv 10e-1 +1.0E+0 0\nf 1 2 3\n", 1, 0.5},
+      {"numbers below a float's range, and a double's", "v 1e-60 0 -1e-400\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", 1, 0.5},
       {"colours after positions", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 0 1 0\nf 1 2 3\n", 1, 0.5},
       {"points, lines and curves between", square + "p 1\nl 1 2\ncurv 0 1 1 2\nf 1 2\nf 1 2 3\n", 1, 0.5},
   };
