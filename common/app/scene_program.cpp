@@ -24,7 +24,8 @@ bool is_model_file(const std::string& name) {
 Scene import_aloud(const std::string& file) {
   std::vector<std::string> notes;
   Scene scene = import_scene(file, &notes);
-  for (const std::string& note : notes) fmt::print(stderr, "note: {}: {}\n", file, note);
+  for (const std::string& note : notes)
+    fmt::print(stderr, "note: {}\n", note.starts_with(file) ? note : file + ": " + note);
   return scene;
 }
 
