@@ -1,4 +1,6 @@
 // world_matrices: deep, wide, in any order, and hierarchies that cannot be.
+#include <fmt/format.h>
+
 #include <climits>
 #include <numeric>
 

@@ -1,4 +1,6 @@
 // translation, rotation, scaling, compose.
+#include <fmt/format.h>
+
 #include <numbers>
 
 #include "stability/01-transforms/exact.hpp"

@@ -13,6 +13,7 @@
 
 namespace fs = std::filesystem;
 using atelier::read_file;
+using atelier::require_space;
 using atelier::TemporaryFolder;
 using atelier::write_file;
 using atelier::test::error_of;

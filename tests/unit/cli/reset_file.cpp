@@ -48,7 +48,7 @@ TEST_CASE("a student's file is found by its path, its step or its name") {
 TEST_CASE("a reset keeps what was there under a name that nothing has") {
   const TemporaryFolder root;
   const ProjectFolders folders{.root = root.path(), .build = {}};
-  const StudentFile file{course[0], "move.cpp"};
+  const StudentFile file{course_of_files[0], "move.cpp"};
   const auto path = root.path() / "steps/01-move/move.cpp";
   const auto kept = [&](const char* behind) { return std::filesystem::path(path.string() + behind); };
   CHECK(mentions(error_of([&] { reset_file(folders, file); }), {"01-move/move.cpp", "skeletons/", "archive"}));
