@@ -39,4 +39,11 @@ struct Launch {
 /// Error naming the program and the system's reason where it cannot be started.
 pid_t launch(const Launch& wanted);
 
+/// Kills a child of `launch` with its process group, also where it has left that, and waits for it. Returns its status
+/// as waitpid gives it.
+int kill_and_wait(pid_t child);
+
+/// Our own environment, by name.
+std::map<std::string, std::string> own_environment();
+
 }  // namespace atelier

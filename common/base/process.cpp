@@ -72,11 +72,7 @@ Finished run_process(const Command& command) {
 
   Finished result;
   result.timed_out = watch(child, pipe.read.get(), begin + command.time_limit, command, result.output);
-  ::kill(-child, SIGKILL);  // with what it has started
-  ::kill(child, SIGKILL);   // it may have left its group
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = kill_and_wait(child);
   drain(pipe.read.get(), result.output, command.output_limit);
 
   result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();

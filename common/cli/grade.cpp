@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/replace_together.hpp"
 #include "case/printable.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
@@ -100,19 +101,9 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
 void write_results(judge::SubmissionResult& result, const fs::path& out) {
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
-  // All beside the old ones before the first is renamed: a full disk leaves no mixture of two gradings.
-  const fs::path names[] = {"results.json", "junit.xml", "report.html"};
-  const auto beside = [&](const fs::path& name) { return out / (name.string() + ".new"); };
-  try {
-    judge::write_results_json(beside(names[0]), result);
-    judge::write_junit_xml(beside(names[1]), result);
-    judge::write_html_report(beside(names[2]), result);
-    for (const fs::path& name : names) fs::rename(beside(name), out / name);
-  } catch (...) {
-    std::error_code ignored;
-    for (const fs::path& name : names) fs::remove(beside(name), ignored);
-    throw;
-  }
+  replace_together({{out / "results.json", [&](const fs::path& file) { judge::write_results_json(file, result); }},
+                    {out / "junit.xml", [&](const fs::path& file) { judge::write_junit_xml(file, result); }},
+                    {out / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
 }
 
 }  // namespace

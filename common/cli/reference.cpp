@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/replace_together.hpp"
 #include "case/strict_json.hpp"
 #include "cli/commands.hpp"
 #include "cli/workshop.hpp"
@@ -126,22 +127,20 @@ bool would_change(const fs::path& made, const fs::path& there, const JudgedCase&
                       [&](const fs::path& f) { return says_the_same(made / f, there / f); });
 }
 
-/// Puts the files that were made of a case in the place of those that are there. All are copied beside the old ones
-/// before the first is renamed, so that a full disk leaves everything as it was.
+/// Puts the files that were made of a case in the place of those that are there, all or none.
 void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
   const std::set<fs::path> files = files_of(made, c), old = files_of(there, c);
-  const auto beside = [&](const fs::path& file) { return there / (file.string() + ".new"); };
+  std::vector<Replacement> replacements;
+  for (const fs::path& file : files)
+    replacements.push_back({there / file, [source = made / file](const fs::path& beside) {
+                              fs::create_directories(beside.parent_path());
+                              fs::copy_file(source, beside, fs::copy_options::overwrite_existing);
+                            }});
   try {
-    for (const fs::path& file : files) {
-      fs::create_directories((there / file).parent_path());
-      fs::copy_file(made / file, beside(file), fs::copy_options::overwrite_existing);
-    }
-    for (const fs::path& file : files) fs::rename(beside(file), there / file);
+    replace_together(replacements);
     for (const fs::path& file : old)
       if (!files.contains(file)) fs::remove(there / file);
   } catch (const fs::filesystem_error& error) {
-    std::error_code ignored;
-    for (const fs::path& file : files) fs::remove(beside(file), ignored);
     throw Error(error.what());
   }
 }

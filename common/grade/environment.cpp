@@ -9,13 +9,12 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/launch.hpp"
 #include "base/process.hpp"
 #include "case/printable.hpp"
 #include "case/strict_json.hpp"
 #include "gl/context.hpp"
 #include "judge/runner.hpp"
-
-extern char** environ;
 
 namespace atelier::grade {
 namespace {
@@ -69,12 +68,8 @@ std::string gl_string(Gl& gl, GLenum name) {
 class DriversOwnWay {
  public:
   DriversOwnWay() {
-    for (char** entry = environ; *entry; ++entry) {
-      const std::string text = *entry;
-      const std::size_t equals = text.find('=');
-      if (equals != std::string::npos && judge::bends_the_driver(text))
-        held_back_[text.substr(0, equals)] = text.substr(equals + 1);
-    }
+    held_back_ = own_environment();
+    std::erase_if(held_back_, [](const auto& variable) { return !judge::bends_the_driver(variable.first); });
     for (const auto& [name, value] : held_back_) ::unsetenv(name.c_str());
   }
   ~DriversOwnWay() {

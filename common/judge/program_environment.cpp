@@ -4,9 +4,8 @@
 #include <map>
 #include <string>
 
+#include "base/launch.hpp"
 #include "judge/runner.hpp"
-
-extern char** environ;
 
 namespace atelier::judge {
 bool bends_the_driver(const std::string& variable) {
@@ -16,13 +15,8 @@ bool bends_the_driver(const std::string& variable) {
 }
 
 std::map<std::string, std::string> program_environment(const RunSettings& settings) {
-  std::map<std::string, std::string> environment;
-  for (char** entry = environ; *entry; ++entry) {
-    const std::string text = *entry;
-    const std::size_t equals = text.find('=');
-    if (equals != std::string::npos && !bends_the_driver(text))
-      environment[text.substr(0, equals)] = text.substr(equals + 1);
-  }
+  std::map<std::string, std::string> environment = own_environment();
+  std::erase_if(environment, [](const auto& variable) { return bends_the_driver(variable.first); });
   environment["LANG"] = "C";
   environment["LP_NUM_THREADS"] = std::to_string(settings.driver_threads);
   // Without LLVM's optimisation passes llvmpipe compiles shaders in half the time, and draws the same bits.

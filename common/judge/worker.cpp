@@ -81,11 +81,7 @@ std::optional<Exit> Worker::ended() {
 
 void Worker::kill() {
   if (exit_) return;
-  ::kill(-child_, SIGKILL);
-  ::kill(child_, SIGKILL);  // it may have left its group
-  int status = 0;
-  while (::waitpid(child_, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int status = kill_and_wait(child_);
   exit_ = Exit{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                .signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0};
 }
