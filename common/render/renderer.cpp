@@ -2,142 +2,99 @@
 
 #include <fmt/core.h>
 
+#include "gl/state.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
 
 namespace {
 
-/// Where the renderer's own shader files are: set by the build, as an absolute path.
-const std::filesystem::path own_shaders = ATELIER_RENDER_SHADERS;
-
-Box3 box_of(const Mesh& mesh) {
-  Box3 box;
-  for (const Vertex& vertex : mesh.vertices) box.add(glm::dvec3(vertex.position));
-  return box;
-}
-
 /// Whether clip space has depths from 0 to w instead of from -w to w.
 bool depth_from_zero(const View& view) {
   return view.reversed_depth && view.camera.projection == Projection::perspective;
 }
 
+bool has_stencil(const Target& target) {
+  const DepthFormat format = target.spec().depth;
+  return format == DepthFormat::depth24_stencil8 || format == DepthFormat::depth32f_stencil8;
+}
+
+/// The outermost view around one, or itself.
+const View& outermost(const View& view) {
+  return view.parent ? outermost(*view.parent) : view;
+}
+
 }  // namespace
 
 Renderer::Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
-                   std::vector<std::unique_ptr<Feature>> features)
+                   std::vector<std::unique_ptr<Feature>> features, ChainFunctions chain)
     : gl_(gl),
-      implementations_(std::move(implementations)),
       transforms_(std::move(transforms)),
-      features_(std::move(features)) {}
+      chain_functions_(std::move(chain)),
+      features_(std::move(features)),
+      programs_(gl, std::move(implementations), transforms_.glsl),
+      pool_(gl),
+      chain_(gl, programs_, pool_, chain_functions_) {}
 
-void Renderer::configure(const Settings& settings) {
+void Renderer::configure(const Settings& settings, ColourFormat chain_format) {
+  chain_format_ = chain_format;
   for (auto& feature : features_) feature->configure(settings);
+  variants_.clear();
+}
+
+// ---- A scene
+
+void Renderer::take_lights() {
+  lights_ = scene_->lights;
+  for (const auto& feature : features_) feature->add_lights(*scene_, lights_);
+  for (auto& feature : features_) feature->take_lights(lights_);
+}
+
+void Renderer::tell_moved() {
+  if (!scene_) return;
+  take_lights();
+  for (auto& feature : features_) feature->moved(*scene_);
+  variants_.clear();
 }
 
 void Renderer::nodes_moved() {
-  placed_for_.reset();
-  if (scene_)
-    for (auto& feature : features_) feature->moved(*scene_);
+  if (nodes_) nodes_->moved();
+  tell_moved();
 }
 
 void Renderer::lights_moved() {
-  if (scene_)
-    for (auto& feature : features_) feature->moved(*scene_);
+  tell_moved();
 }
 
 void Renderer::prepare(const Scene& scene) {
   validate(scene);
-  meshes_.clear();
-  placed_for_.reset();
+  nodes_.reset();
+  scene_ = nullptr;
   counts_ = {};
+  variants_.clear();
+  std::vector<std::vector<glm::vec4>> tangents(scene.meshes.size());
+  for (std::size_t mesh = 0; mesh < tangents.size(); ++mesh)
+    for (auto feature = features_.begin(); feature != features_.end() && tangents[mesh].empty(); ++feature)
+      tangents[mesh] = (*feature)->tangents(scene, int(mesh));
+  nodes_.emplace(gl_, transforms_, scene, tangents);
   scene_ = &scene;
-  for (const Mesh& mesh : scene.meshes) {
-    const MeshBuffers made = transforms_.upload_mesh(gl_, mesh.vertices, mesh.indices);
-    meshes_.push_back({GlVertexArray(gl_, made.vertex_array), GlBuffer(gl_, made.vertex_buffer),
-                       GlBuffer(gl_, made.index_buffer), made.count, box_of(mesh)});
-    gl_.BindVertexArray(0);
-  }
-  check_gl_error(gl_, "upload_mesh");  // now, or it would be told of where nothing is wrong
+  take_lights();
   for (auto& feature : features_) feature->prepare(gl_, scene);
   check_gl_error(gl_, "making the textures of the scene");
 }
 
+bool Renderer::needs_stencil() const {
+  for (const auto& feature : features_)
+    if (scene_ && feature->needs_stencil(*scene_)) return true;
+  return false;
+}
+
 // ---- Programs
 
-std::filesystem::path Renderer::find_shader(const std::string& name) const {
-  if (const auto found = implementations_.find(name); !found.empty()) return found;
-  // Ours are found by the same rule: no name leads out of the folder, into files that are not for shaders to read.
-  return Implementations({{own_shaders, ""}}).find(name);
-}
-
-namespace {
-
-/// When each of the files that stages were put together from was last changed.
-std::map<std::filesystem::path, std::filesystem::file_time_type> changes_of(
-    std::initializer_list<const ShaderSource*> stages) {
-  std::map<std::filesystem::path, std::filesystem::file_time_type> files;
-  for (const ShaderSource* stage : stages)
-    for (const auto& file : stage->files)
-      if (std::error_code missing; std::filesystem::exists(file, missing))
-        files[file] = std::filesystem::last_write_time(file);
-  return files;
-}
-
-}  // namespace
-
-Renderer::Program Renderer::build(const SurfaceKey& key) const {
-  const SurfaceSources sources =
-      assemble_surface([this](const std::string& name) { return find_shader(name); }, transforms_.glsl, key);
-  GlProgram program = build_program(gl_, sources.vertex, sources.fragment);
-  Uniforms uniforms(gl_, program.id());
-  return {std::move(program), std::move(uniforms), changes_of({&sources.vertex, &sources.fragment})};
-}
-
-Renderer::Program Renderer::build(const PassSources& pass) const {
-  const FindFile find = [this](const std::string& name) { return find_shader(name); };
-  const auto stage = [&](const std::string& text, const char* which) {
-    return assemble_shader_text(find, text, fmt::format("{} {} shader", pass.name, which), pass.structure);
-  };
-  const ShaderSource vertex = stage(pass_vertex_text(transforms_.glsl) + pass.vertex, "vertex"),
-                     fragment = stage(pass.fragment, "fragment"), geometry = stage(pass.geometry, "geometry");
-  GlProgram program = build_program(gl_, vertex, fragment, pass.geometry.empty() ? nullptr : &geometry);
-  Uniforms uniforms(gl_, program.id());
-  return {std::move(program), std::move(uniforms), changes_of({&vertex, &fragment, &geometry})};
-}
-
-template <class Key>
-Renderer::Program& Renderer::program(std::map<Key, Program>& programs, const Key& key) {
-  auto found = programs.find(key);
-  if (found == programs.end()) found = programs.emplace(key, build(key)).first;
-  return found->second;
-}
-
-template <class Key>
-Renderer::Reloaded Renderer::reload_changed(std::map<Key, Program>& programs) {
-  Reloaded reloaded;
-  for (auto& [key, program] : programs)
-    for (auto& [file, seen] : program.files) {
-      std::error_code gone;
-      const auto now = std::filesystem::last_write_time(file, gone);
-      if (gone || now == seen) continue;
-      try {
-        program = build(key);
-        reloaded.any = true;
-      } catch (const Error& error) {
-        reloaded.words = error.what();
-        return reloaded;
-      }
-      break;  // `files` is a new map now
-    }
-  return reloaded;
-}
-
 std::string Renderer::reload_changed_shaders() {
-  const Reloaded surfaces = reload_changed(programs_), passes = reload_changed(pass_programs_);
-  if (passes.any && scene_)  // what was drawn with the old ones must not be kept
-    for (auto& feature : features_) feature->moved(*scene_);
-  return surfaces.words.empty() ? passes.words : surfaces.words;
+  const Programs::Reloaded reloaded = programs_.reload_changed();
+  if (reloaded.passes) tell_moved();  // what was drawn with the old ones must not be kept
+  return reloaded.words;
 }
 
 SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
@@ -150,20 +107,46 @@ SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
     key.structure.insert(need.structure.begin(), need.structure.end());
   }
   if (scene_->materials[std::size_t(node.material)].two_sided) key.structure["TWO_SIDED"] = std::string("1");
+  if (view.clip_plane) key.structure["CLIP_PLANE"] = std::string("1");
   return key;
 }
 
-// ---- One frame
+/// What each item is drawn with: found once, and again where the answers of features may have changed.
+const std::vector<Renderer::Variant>& Renderer::variants(const View& view) {
+  std::uint64_t version = 0;
+  for (const auto& feature : features_) version += feature->structure_version();
+  if (version != variants_version_) variants_.clear();
+  variants_version_ = version;
+  const ViewKind kind{view.output, view.clip_plane.has_value()};
+  if (const auto found = variants_.find(kind); found != variants_.end()) return found->second;
+  std::vector<Variant> found;
+  for (const Item& item : nodes_->items()) {
+    const Node& node = scene_->nodes[std::size_t(item.node)];
+    const bool left_out =
+        std::ranges::any_of(features_, [&](const auto& feature) { return feature->hides(*scene_, view, node); });
+    if (left_out) {
+      found.push_back({});
+      continue;
+    }
+    const Programs::Surface surface = programs_.surface(key_for(view, node));
+    found.push_back({&surface.key, &surface.program});
+  }
+  return variants_[kind] = std::move(found);
+}
 
-Viewpoint Renderer::look(const View& view, const Target& target) const {
+// ---- A view
+
+Viewpoint Renderer::look(const View& view, const TargetSpec& target) const {
   const Camera& camera = view.camera;
-  const glm::dvec3 origin = view.camera_relative ? camera.eye : glm::dvec3(0);
+  const glm::dvec3 origin = view.camera_relative ? outermost(view).camera.eye : glm::dvec3(0);
   const auto moved = [&](const glm::dvec3& p) {
     return view.camera_relative ? transforms_.relative_to_eye(p, origin) : glm::vec3(p);
   };
-  const float aspect = float(target.spec().width) / float(target.spec().height);
+  const float aspect = float(target.width) / float(target.height);
   glm::mat4 projection;
-  if (camera.projection == Projection::orthographic) {
+  if (view.projection) {
+    projection = *view.projection;
+  } else if (camera.projection == Projection::orthographic) {
     const float top = camera.height / 2, right = top * aspect;
     // Reversed: the planes change places. Depth is even between them, so nothing is gained by a range from 0 to 1.
     const float first = view.reversed_depth ? camera.far : camera.near,
@@ -173,39 +156,11 @@ Viewpoint Renderer::look(const View& view, const Target& target) const {
     const auto make = view.reversed_depth ? transforms_.perspective_reversed : transforms_.perspective;
     projection = make(camera.fov_y, aspect, camera.near, camera.far);
   }
-  return {view, transforms_.look_at(moved(camera.eye), moved(camera.target), camera.up), projection, moved(camera.eye),
-          origin};
-}
-
-void Renderer::place(const Viewpoint& viewpoint) {
-  const Placement wanted{viewpoint.view.camera_relative, viewpoint.origin};
-  if (placed_for_ == wanted) return;
-  placed_for_.reset();
-  std::vector<Joint> joints;
-  joints.reserve(scene_->nodes.size());
-  for (const Node& node : scene_->nodes) {
-    glm::mat4 local;
-    // Only roots stand in world space: what hangs below them is near its parent and needs no double precision.
-    const bool move = node.parent < 0 && viewpoint.view.camera_relative;
-    if (node.matrix) {
-      local = *node.matrix;
-      if (move) local[3] = glm::vec4(transforms_.relative_to_eye(glm::dvec3(local[3]), viewpoint.origin), 1);
-    } else {
-      const glm::vec3 translation =
-          move ? transforms_.relative_to_eye(node.translation, viewpoint.origin) : glm::vec3(node.translation);
-      local = transforms_.compose(translation, node.rotation_axis, node.rotation_angle, node.scale);
-    }
-    joints.push_back({node.parent, local});
-  }
-  const std::vector<glm::mat4> world = transforms_.world_matrices(joints);
-  if (world.size() != joints.size())
-    throw Error(fmt::format("world_matrices returned {} matrices for {} nodes", world.size(), joints.size()));
-  items_.clear();
-  for (std::size_t i = 0; i < world.size(); ++i)
-    if (const auto mesh = scene_->nodes[i].mesh)
-      items_.push_back({int(i), world[i], transforms_.normal_matrix(world[i]), meshes_[std::size_t(*mesh)].box});
-  counts_.matrices = std::int64_t(world.size() + items_.size());
-  placed_for_ = wanted;
+  if (!view.world_to_view)
+    return {view, transforms_.look_at(moved(camera.eye), moved(camera.target), camera.up), projection,
+            moved(camera.eye), origin};
+  const glm::dvec3 eye(glm::inverse(glm::dmat4(*view.world_to_view))[3]);
+  return {view, *view.world_to_view, projection, glm::vec3(eye), origin};
 }
 
 bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
@@ -213,45 +168,46 @@ bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
                                              depth_from_zero(viewpoint.view));
 }
 
-/// Undoes what the frame before, a feature's passes or a student's function may have left.
-void Renderer::clear_state() {
-  if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-  gl_.DepthRange(0, 1);
-  gl_.DepthMask(GL_TRUE);
-  gl_.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  gl_.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-  gl_.CullFace(GL_BACK);
-  for (const GLenum what : {GL_DEPTH_CLAMP, GL_POLYGON_OFFSET_FILL, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST})
-    gl_.Disable(what);
+glm::vec3 Renderer::background(const View& view) const {
+  if (view.output != "colour") return glm::vec3(0);
+  glm::vec3 colour = scene_->background;
+  for (const auto& feature : features_) colour = feature->background(*scene_, view).value_or(colour);
+  return colour;
+}
+
+/// OpenGL's state for the nodes of a view: depth, and what bounds it. Everything else is as usual.
+void Renderer::set_bounds(const Viewpoint& viewpoint, const Target& target) {
+  const View& view = viewpoint.view;
+  reset_state(gl_);
+  target.bind(gl_);
+  const bool from_zero = depth_from_zero(view);
+  if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GLenum(from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
+  gl_.Enable(GL_DEPTH_TEST);
+  gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
+  gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);
+  if (view.scissor) {
+    gl_.Enable(GL_SCISSOR_TEST);
+    gl_.Scissor(view.scissor->x, view.scissor->y, view.scissor->z, view.scissor->w);
+  }
+  if (view.stencil_level > 0) {
+    gl_.Enable(GL_STENCIL_TEST);
+    gl_.StencilFunc(GL_EQUAL, view.stencil_level, 0xff);
+  }
+  if (view.clip_plane) gl_.Enable(GL_CLIP_DISTANCE0);
+  mirrored_ = view.mirrored;
 }
 
 void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   const View& view = viewpoint.view;
   if (view.reversed_depth && !gl_.ClipControl.call)
     throw Error("reversed depth needs glClipControl (OpenGL 4.5 or ARB_clip_control), which this driver lacks");
-  clear_state();
-  target.bind(gl_);
-  const bool from_zero = depth_from_zero(view);
-  if (gl_.ClipControl.call) gl_.ClipControl(GL_LOWER_LEFT, GLenum(from_zero ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE));
-  gl_.DepthFunc(GLenum(view.reversed_depth ? GL_GREATER : GL_LESS));
-  gl_.ClearDepth(view.reversed_depth ? 0.0 : 1.0);
-  const glm::vec3 background = view.output == "colour" ? scene_->background : glm::vec3(0);
-  gl_.ClearColor(background.r, background.g, background.b, 1);
-  gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  gl_.Enable(GL_DEPTH_TEST);
+  set_bounds(viewpoint, target);
+  if (!view.parent) {  // otherwise what is there belongs to the view around
+    const glm::vec3 colour = background(view);
+    gl_.ClearColor(colour.r, colour.g, colour.b, 1);
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (has_stencil(target) ? GL_STENCIL_BUFFER_BIT : 0));
+  }
   transforms_.set_wireframe(gl_, view.wireframe);
-}
-
-void Renderer::draw_mesh(const Item& item) {
-  const UploadedMesh& mesh = meshes_[std::size_t(*scene_->nodes[std::size_t(item.node)].mesh)];
-  if (!mesh.vertex_array || mesh.count <= 0) return;  // step 01's upload_mesh is not written yet: nothing to draw
-  // A mirrored model turns its triangles round: what was counter-clockwise is clockwise now.
-  gl_.FrontFace(GLenum(glm::determinant(glm::mat3(item.model)) < 0 ? GL_CW : GL_CCW));
-  gl_.BindVertexArray(mesh.vertex_array.id());
-  if (mesh.index_buffer)
-    gl_.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);
-  else
-    gl_.DrawArrays(GL_TRIANGLES, 0, mesh.count);
 }
 
 /// What the draws of one view leave for the next one.
@@ -261,60 +217,63 @@ struct Renderer::Drawing {
   std::optional<Binder> bound;       ///< has set what is the same for all its draws; a material's textures come behind
 };
 
-void Renderer::use(Program& chosen, const SurfaceKey& key, Drawing& drawing) {
-  if (drawing.program == &chosen) return;
-  gl_.UseProgram(chosen.program.id());
-  Binder binder(gl_, chosen.uniforms);
-  const Viewpoint& viewpoint = drawing.viewpoint;
+namespace {
+
+/// The plane of a view in the space that shaders call world.
+glm::vec4 moved_plane(const glm::dvec4& plane, const glm::dvec3& origin) {
+  return glm::vec4(glm::dvec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), origin)));
+}
+
+/// What every program that draws nodes for a view is told of it.
+void bind_viewpoint(Binder& binder, const Viewpoint& viewpoint) {
   binder.set("u_view", viewpoint.world_to_view);
   binder.set("u_projection", viewpoint.projection);
   binder.set("u_eye_world", viewpoint.eye);
+  if (const auto& plane = viewpoint.view.clip_plane) binder.set("u_clip_plane", moved_plane(*plane, viewpoint.origin));
+}
+
+}  // namespace
+
+void Renderer::use(const Variant& variant, Drawing& drawing) {
+  if (drawing.program == variant.program) return;
+  gl_.UseProgram(variant.program->program.id());
+  Binder binder(gl_, variant.program->uniforms);
+  bind_viewpoint(binder, drawing.viewpoint);
   for (const auto& feature : features_)
-    if (key.has(*feature)) feature->bind_view(binder, *scene_, viewpoint);
-  drawing.program = &chosen;
+    if (variant.key->has(*feature)) feature->bind_view(binder, *scene_, drawing.viewpoint);
+  drawing.program = variant.program;
   drawing.bound.emplace(binder);
 }
 
-void Renderer::draw(const Item& item, Drawing& drawing) {
+void Renderer::draw(const Item& item, const Variant& variant, Drawing& drawing) {
   const Node& node = scene_->nodes[std::size_t(item.node)];
   const Material& material = scene_->materials[std::size_t(node.material)];
-  const SurfaceKey key = key_for(drawing.viewpoint.view, node);
-  use(program(programs_, key), key, drawing);
+  use(variant, drawing);
   Binder binder = *drawing.bound;
   binder.set("u_model", item.model);
   binder.set("u_normal_matrix", item.normal_matrix);
   for (const auto& feature : features_)
-    if (key.has(*feature)) feature->bind_material(binder, *scene_, material);
+    if (variant.key->has(*feature)) feature->bind_material(binder, *scene_, material);
   if (material.two_sided || drawing.viewpoint.view.wireframe)
     gl_.Disable(GL_CULL_FACE);
   else
     gl_.Enable(GL_CULL_FACE);
-  draw_mesh(item);
+  nodes_->draw(item, mirrored_);
 }
 
-void Renderer::paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) {
-  if (items.empty()) return;
-  Program& chosen = program(pass_programs_, pass);
-  gl_.UseProgram(chosen.program.id());
-  Binder binder(gl_, chosen.uniforms);
-  bind(binder);
-  for (const int i : items) {
-    const Item& item = items_[std::size_t(i)];
-    binder.set("u_model", item.model);
-    draw_mesh(item);
-  }
-  gl_.BindVertexArray(0);
-}
-
-void Renderer::draw_all(const Viewpoint& viewpoint) {
+void Renderer::draw_nodes(const Viewpoint& viewpoint) {
+  const std::vector<Variant>& chosen = variants(viewpoint.view);
   Drawing drawing{viewpoint};
-  for (const Item& item : items_) {
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const Item& item = nodes_->items()[i];
+    if (!chosen[i].program) continue;
     ++counts_.nodes;
     if (hidden(item, viewpoint))
       ++counts_.nodes_culled;
     else
-      draw(item, drawing);
+      draw(item, chosen[i], drawing);
   }
+  gl_.BindVertexArray(0);
 }
 
 bool Renderer::drawn_instead(const View& view, const Target& target) {
@@ -323,20 +282,129 @@ bool Renderer::drawn_instead(const View& view, const Target& target) {
   return false;
 }
 
+void Renderer::draw_scene(const View& view, const Target& target) {
+  const Viewpoint viewpoint = look(view, target.spec());
+  counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
+  for (const auto& feature : features_) {
+    reset_state(gl_);
+    target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
+    feature->draw_before(gl_, *scene_, viewpoint, *this);
+  }
+  begin(viewpoint, target);
+  if (drawn_instead(view, target)) return;
+  draw_nodes(viewpoint);
+  for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
+}
+
+std::vector<ChainPass> Renderer::passes(const View& view) const {
+  std::vector<ChainPass> all;
+  for (const auto& feature : features_)
+    for (ChainPass& pass : feature->passes(*scene_, view)) all.push_back(std::move(pass));
+  return all;
+}
+
+void Renderer::draw_with_chain(const View& view, const Target& target) {
+  const std::vector<ChainPass> all = passes(view);
+  const auto draw = [&](const std::string& output, const Target& into) {
+    View drawn = view;
+    drawn.output = output;
+    draw_scene(drawn, into);
+    into.resolve(gl_);
+  };
+  const std::vector<ChainPass> active = passes_to_run(all, view.output);
+  if (!active.empty()) return chain_.run(active, chain_format_, target, draw);
+  draw(has_pass(all, view.output) ? "colour" : view.output, target);
+}
+
 void Renderer::render(const View& view, const Target& target) {
   if (!scene_) throw Error("Renderer::render: no scene was prepared");
   counts_ = {};
-  const Viewpoint viewpoint = look(view, target);
-  place(viewpoint);
-  clear_state();
-  target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
-  for (const auto& feature : features_) feature->draw_before(gl_, *scene_, viewpoint, *this);
-  begin(viewpoint, target);
-  if (!drawn_instead(view, target)) draw_all(viewpoint);
+  const Viewpoint viewpoint = look(view, target.spec());
+  counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
+  for (const auto& feature : features_) {
+    reset_state(gl_);
+    feature->draw_views(gl_, *scene_, viewpoint, *this);
+  }
+  draw_with_chain(view, target);
+  pool_.end_frame();
   for (const auto& feature : features_) feature->count(counts_);
-  gl_.BindVertexArray(0);
   transforms_.set_wireframe(gl_, false);
+  reset_state(gl_);
   check_gl_error(gl_, "drawing the scene");
+}
+
+// ---- For features that draw
+
+void Renderer::paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) {
+  if (items.empty()) return;
+  Program& chosen = programs_.pass(pass);
+  gl_.UseProgram(chosen.program.id());
+  Binder binder(gl_, chosen.uniforms);
+  bind(binder);
+  for (const int i : items) {
+    const Item& item = nodes_->items()[std::size_t(i)];
+    binder.set("u_model", item.model);
+    nodes_->draw(item, mirrored_);
+  }
+  gl_.BindVertexArray(0);
+}
+
+void Renderer::draw_view(const View& view, const Target& target) {
+  draw_with_chain(view, target);
+}
+
+/// Draws the surface of an opening in one colour, as it stands in the view around.
+void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
+  PassSources pass{.name = "opening",
+                   .vertex =
+                       "#ifdef CLIP_PLANE\nuniform vec4 u_clip_plane;\n#endif\n"
+                       "void main() {\n"
+                       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n"
+                       "#ifdef CLIP_PLANE\n"
+                       "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
+                       "#endif\n"
+                       "}\n",
+                   .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
+  if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
+  paint(pass, std::span(&opening, 1), [&](Binder& binder) {
+    bind_viewpoint(binder, around);
+    binder.set("u_colour", colour);
+  });
+}
+
+void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
+                                const NestingFunctions& functions) {
+  constexpr int most_levels = 255;
+  const int level = around.view.stencil_level;
+  if (!has_stencil(target))
+    throw Error(fmt::format("a view inside another needs a stencil buffer, and the target has none ({})",
+                            to_string(target.spec())));
+  if (level >= most_levels)
+    throw Error(fmt::format("views are nested {} deep: a stencil buffer of 8 bits counts no further", level));
+  view.parent = &around.view;
+  view.stencil_level = level + 1;
+
+  set_bounds(around, target);
+  functions.begin_mark(gl_, level);
+  paint_opening(around, opening, glm::vec3(0));
+
+  // The farthest depth and the background in what is marked.
+  set_bounds(around, target);
+  gl_.Enable(GL_STENCIL_TEST);
+  gl_.StencilFunc(GL_EQUAL, level + 1, 0xff);
+  gl_.DepthFunc(GL_ALWAYS);
+  const double farthest = view.reversed_depth ? 0.0 : 1.0;
+  gl_.DepthRange(farthest, farthest);
+  paint_opening(around, opening, background(view));
+
+  draw_scene(view, target);
+
+  // A view in a moved world has placed the nodes anew.
+  counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
+  set_bounds(around, target);
+  functions.begin_restore(gl_, level);
+  paint_opening(around, opening, glm::vec3(0));
+  set_bounds(around, target);
 }
 
 }  // namespace atelier

@@ -7,20 +7,24 @@
 #include <vector>
 
 #include "case/implementations.hpp"
+#include "render/chain_runner.hpp"
 #include "render/feature.hpp"
-#include "render/surface_shader.hpp"
+#include "render/placed_nodes.hpp"
+#include "render/programs.hpp"
+#include "render/target_pool.hpp"
 #include "render/transforms.hpp"
 
 namespace atelier {
 
-class Renderer : private NodePainter {
+class Renderer : private ScenePainter {
  public:
-  /// Shaders are found along `implementations`, then among the renderer's own.
+  /// Shaders are found along `implementations`, then among the renderer's own. `chain` is what runs the passes of
+  /// features that have some.
   Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
-           std::vector<std::unique_ptr<Feature>> features);
+           std::vector<std::unique_ptr<Feature>> features, ChainFunctions chain = {});
 
-  /// Hands the settings to every feature.
-  void configure(const Settings& settings);
+  /// Hands the settings to every feature. `chain_format` is that of pictures between two passes.
+  void configure(const Settings& settings, ColourFormat chain_format = ColourFormat::rgba32f);
 
   /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
   void prepare(const Scene& scene);
@@ -31,8 +35,11 @@ class Renderer : private NodePainter {
   /// To be called where lights of the prepared scene have moved or changed.
   void lights_moved();
 
-  /// Clears the target to the background and draws the prepared scene. Throws ShaderError with the author's file and
-  /// line, Error where the view asks what the driver or the target lacks.
+  /// Whether targets for the prepared scene need a stencil buffer.
+  bool needs_stencil() const;
+
+  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. Throws
+  /// ShaderError with the author's file and line, Error where the view asks what the driver or the target lacks.
   void render(const View& view, const Target& target);
 
   const SceneCounts& counts() const { return counts_; }  ///< of the last frame
@@ -42,62 +49,61 @@ class Renderer : private NodePainter {
   std::string reload_changed_shaders();
 
  private:
-  struct Program {
-    GlProgram program;
-    Uniforms uniforms;
-    std::map<std::filesystem::path, std::filesystem::file_time_type> files;
+  /// What an item is drawn with in views of one kind; no program: it is left out.
+  struct Variant {
+    const SurfaceKey* key = nullptr;
+    Program* program = nullptr;
   };
-  struct UploadedMesh {
-    GlVertexArray vertex_array;
-    GlBuffer vertex_buffer, index_buffer;
-    GLsizei count = 0;
-    Box3 box;  ///< object space
+  /// Views of one kind ask for the same programs.
+  struct ViewKind {
+    std::string output;
+    bool clipped = false;
+    auto operator<=>(const ViewKind&) const = default;
   };
-  /// What the matrices depend on beside the scene.
-  struct Placement {
-    bool camera_relative = false;
-    glm::dvec3 origin{0};
-    bool operator==(const Placement&) const = default;
-  };
-
-  std::filesystem::path find_shader(const std::string& name) const;
-  Program build(const SurfaceKey& key) const;
-  Program build(const PassSources& pass) const;
-  template <class Key>
-  Program& program(std::map<Key, Program>& programs, const Key& key);
-  struct Reloaded {
-    bool any = false;
-    std::string words;  ///< the driver's, where it refused one
-  };
-  template <class Key>
-  Reloaded reload_changed(std::map<Key, Program>& programs);
-  void clear_state();
-  SurfaceKey key_for(const View& view, const Node& node) const;
-  Viewpoint look(const View& view, const Target& target) const;
-  void place(const Viewpoint& viewpoint);
-  bool hidden(const Item& item, const Viewpoint& viewpoint) const;
-  void begin(const Viewpoint& viewpoint, const Target& target);
   struct Drawing;
-  void use(Program& chosen, const SurfaceKey& key, Drawing& drawing);
-  void draw(const Item& item, Drawing& drawing);
-  void draw_mesh(const Item& item);
-  void draw_all(const Viewpoint& viewpoint);
-  bool drawn_instead(const View& view, const Target& target);
 
-  std::span<const Item> items() const override { return items_; }
+  SurfaceKey key_for(const View& view, const Node& node) const;
+  const std::vector<Variant>& variants(const View& view);
+  Viewpoint look(const View& view, const TargetSpec& target) const;
+  bool hidden(const Item& item, const Viewpoint& viewpoint) const;
+  void take_lights();
+  void tell_moved();
+  glm::vec3 background(const View& view) const;
+  std::vector<ChainPass> passes(const View& view) const;
+
+  void draw_with_chain(const View& view, const Target& target);
+  void draw_scene(const View& view, const Target& target);
+  void begin(const Viewpoint& viewpoint, const Target& target);
+  void set_bounds(const Viewpoint& viewpoint, const Target& target);
+  void draw_nodes(const Viewpoint& viewpoint);
+  void use(const Variant& variant, Drawing& drawing);
+  void draw(const Item& item, const Variant& variant, Drawing& drawing);
+  bool drawn_instead(const View& view, const Target& target);
+  void paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour);
+
+  std::span<const Item> items() const override { return nodes_->items(); }
   void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) override;
+  void draw_view(const View& view, const Target& target) override;
+  void draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
+                        const NestingFunctions& functions) override;
 
   Gl& gl_;
-  Implementations implementations_;
   TransformFunctions transforms_;
+  ChainFunctions chain_functions_;
   std::vector<std::unique_ptr<Feature>> features_;
+  Programs programs_;
+  TargetPool pool_;
+  ChainRunner chain_;
+  ColourFormat chain_format_ = ColourFormat::rgba32f;
+
   const Scene* scene_ = nullptr;
-  std::vector<UploadedMesh> meshes_;
-  std::vector<Item> items_;              ///< of all nodes with a mesh
-  std::optional<Placement> placed_for_;  ///< for which `items_` is right
+  std::vector<Light> lights_;         ///< of the scene, and of features
+  std::optional<PlacedNodes> nodes_;  ///< of the prepared scene
   SceneCounts counts_;
-  std::map<SurfaceKey, Program> programs_;
-  std::map<PassSources, Program> pass_programs_;
+  bool mirrored_ = false;  ///< of the view that is being drawn
+
+  std::map<ViewKind, std::vector<Variant>> variants_;  ///< item by item
+  std::uint64_t variants_version_ = 0;                 ///< the features' structure versions, when they were found
 };
 
 }  // namespace atelier

@@ -4,6 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
 #include <tuple>
 
 namespace atelier {
@@ -47,54 +50,98 @@ vec3 encode_direction(vec3 v) {
 }
 )";
 
-/// What fills a slot: the last feature's code, or nothing.
-SlotCode code_for(Slot slot, const SurfaceKey& key) {
-  SlotCode code;
-  for (const Feature* feature : key.features) {
-    const auto slots = feature->slots();
-    if (const auto found = slots.find(slot); found != slots.end()) code = found->second;
-  }
-  return code;
-}
-
 std::string include_line(const std::string& file) {
   return fmt::format("#include \"{}\"\n", file);
 }
 
-/// The visibility of lights, under the names that shading code calls: declared before that code, defined behind it,
-/// since both may stand in one file. Nothing where no feature knows about shadows.
-struct Visibility {
-  std::string before, behind;
-};
-
-Visibility visibility_text(const SurfaceKey& key) {
-  Visibility text;
-  bool any = false;
-  for (const auto& [slot, type] : {std::pair{Slot::visible_from_point, "point"},
-                                   {Slot::visible_from_spot, "spot"},
-                                   {Slot::visible_from_sun, "sun"}}) {
-    const SlotCode code = code_for(slot, key);
-    const std::string head =
-        fmt::format("float visible_from_{}(int light, vec3 position, vec3 normal, vec3 to_light)", type);
-    text.before += head + ";\n";
-    if (!code.include.empty()) text.behind += include_line(code.include);
-    text.behind += fmt::format("{} {{ return {}; }}\n", head,
-                               code.function.empty() ? "1.0" : code.function + "(light, position, normal, to_light)");
-    any |= !code.function.empty();
+/// What fills a slot, in the order of the features.
+std::vector<SlotCode> codes_for(Slot slot, const SurfaceKey& key) {
+  std::vector<SlotCode> codes;
+  for (const Feature* feature : key.features) {
+    const auto slots = feature->slots();
+    if (const auto found = slots.find(slot); found != slots.end()) codes.push_back(found->second);
   }
-  return any ? text : Visibility{};
+  return codes;
 }
 
-std::string output_expression(const SurfaceKey& key, const std::string& shaded) {
-  if (key.output == "colour") return shaded;
+/// The one feature's code that shades, or none.
+std::optional<SlotCode> shading_code(const SurfaceKey& key) {
+  const std::vector<SlotCode> codes = codes_for(Slot::shade, key);
+  if (codes.empty()) return {};
+  if (codes.size() > 1)
+    throw Error(
+        fmt::format("two features shade the same surface, {} ({}) and {} ({}): change what one has shaded by "
+                    "the slot modify_shaded, or let only one of them want the node",
+                    codes[0].function, codes[0].include, codes[1].function, codes[1].include));
+  return codes[0];
+}
+
+struct VisibilitySlot {
+  Slot slot;
+  const char* light;
+};
+constexpr std::array<VisibilitySlot, 3> visibility_slots = {{{Slot::visible_from_point, "point"},
+                                                             {Slot::visible_from_spot, "spot"},
+                                                             {Slot::visible_from_directional, "directional"}}};
+
+std::string visibility_head(const VisibilitySlot& slot) {
+  return fmt::format("float visibility_of_{}_light(int light, vec3 position, vec3 normal, vec3 to_light)", slot.light);
+}
+
+bool knows_visibility(const SurfaceKey& key) {
+  return std::ranges::any_of(visibility_slots,
+                             [&](const VisibilitySlot& slot) { return !codes_for(slot.slot, key).empty(); });
+}
+
+/// The dispatchers, which multiply what the features answer: declared before the features' code, which may call them.
+std::string visibility_declarations() {
+  std::string text;
+  for (const VisibilitySlot& slot : visibility_slots) text += visibility_head(slot) + ";\n";
+  return text;
+}
+
+std::string visibility_definitions(const SurfaceKey& key) {
+  std::string text;
+  for (const VisibilitySlot& slot : visibility_slots) {
+    std::string product;
+    for (const SlotCode& code : codes_for(slot.slot, key))
+      product += fmt::format("{}{}(light, position, normal, to_light)", product.empty() ? "" : " * ", code.function);
+    text += fmt::format("{} {{ return {}; }}\n", visibility_head(slot), product.empty() ? "1.0" : product);
+  }
+  return text;
+}
+
+/// Everything that the stage which shades must hold before its main: the surface, and the code of these slots.
+std::string features_text(const SurfaceKey& key, std::span<const Slot> slots) {
+  std::string text = include_line("surface.glsl");
+  const bool visibility = knows_visibility(key) && std::ranges::count(slots, Slot::shade) > 0;
+  if (visibility) text += visibility_declarations();
+  for (const Slot slot : slots)
+    for (const SlotCode& code : codes_for(slot, key)) text += include_line(code.include);
+  if (visibility) text += visibility_definitions(key);
+  return text;
+}
+
+/// The statements that run a surface through slots that change it.
+std::string calls(Slot slot, const SurfaceKey& key, const char* statement) {
+  std::string text;
+  for (const SlotCode& code : codes_for(slot, key)) text += fmt::format(fmt::runtime(statement), code.function);
+  return text;
+}
+
+/// Of several features that offer an output the last one answers.
+std::string output_expression(const SurfaceKey& key) {
+  if (key.output == "colour") return "shaded";
   if (const auto own = own_outputs().find(key.output); own != own_outputs().end()) return own->second;
   std::vector<std::string> known = {"colour"};
   for (const auto& [name, expression] : own_outputs()) known.push_back(name);
+  std::string found;
   for (const Feature* feature : key.features)
     for (const auto& [name, expression] : feature->outputs()) {
-      if (name == key.output) return expression;
+      if (name == key.output) found = expression;
       known.push_back(name);
     }
+  if (!found.empty()) return found;
   throw Error(fmt::format("output '{}': this scene offers {}", key.output, fmt::join(known, ", ")));
 }
 
@@ -123,48 +170,99 @@ std::vector<std::string> surface_outputs() {
   return names;
 }
 
-SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key) {
-  // Where no feature shades the surface there is nothing but a flat grey: a silhouette.
-  const SlotCode shade = code_for(Slot::shade, key);
-  const bool per_vertex = key.structure.contains("PER_VERTEX") && key.output == "colour" && !shade.function.empty();
-  const Visibility visibility = visibility_text(key);
-  const std::string shading = shade.include.empty() ? ""
-                                                    : include_line("surface.glsl") + visibility.before +
-                                                          include_line(shade.include) + visibility.behind;
-  const std::string shaded = shade.function.empty() ? "vec3(0.5)" : shade.function + "(surface)";
+namespace {
 
-  // Vertex stage: step 01's functions place the corner; Gouraud shading also lights it here.
-  std::string vertex = vertex_text + include_line(transforms_glsl);
-  if (per_vertex) vertex += "out vec3 v_shaded;\n" + shading;
-  vertex +=
+/// Slots whose code the fragment stage holds; with light worked out for each vertex, `lit_per_vertex` says which are
+/// left to it.
+constexpr std::array all_slots = {Slot::displace_texcoord,
+                                  Slot::modify_surface,
+                                  Slot::discard_fragment,
+                                  Slot::visible_from_point,
+                                  Slot::visible_from_spot,
+                                  Slot::visible_from_directional,
+                                  Slot::shade,
+                                  Slot::indirect,
+                                  Slot::modify_shaded};
+constexpr std::array lighting_slots = {Slot::visible_from_point, Slot::visible_from_spot,
+                                       Slot::visible_from_directional, Slot::shade, Slot::indirect};
+constexpr std::array slots_beside_lighting = {Slot::discard_fragment, Slot::modify_shaded};
+
+/// Whether light is worked out at the corners. What changes the surface between them would be lost: then it is not.
+bool lit_per_vertex(const SurfaceKey& key) {
+  return key.structure.contains("PER_VERTEX") && key.output == "colour" && shading_code(key) &&
+         codes_for(Slot::displace_texcoord, key).empty() && codes_for(Slot::modify_surface, key).empty();
+}
+
+/// Declares `shaded` as the light that leaves `surface`. Where no feature shades there is nothing but a flat grey: a
+/// silhouette.
+std::string lighting_statements(const SurfaceKey& key) {
+  const auto shade = shading_code(key);
+  return fmt::format("  vec3 shaded = {};\n", shade ? shade->function + "(surface)" : "vec3(0.5)") +
+         calls(Slot::indirect, key, "  shaded += {}(surface);\n");
+}
+
+constexpr const char* surface_statement =
+    "  Surface surface;\n"
+    "  surface.position_world = v_position_world;\n"
+    "  surface.normal_world = v_normal_world;\n"
+    "  surface.texcoord = v_texcoord;\n"
+    "  surface.eye_world = u_eye_world;\n"
+    "#ifdef TANGENTS\n"
+    "  surface.tangent_world = v_tangent_world;\n"
+    "#endif\n";
+
+/// Step 01's functions place the corner; Gouraud shading also lights it here.
+std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& key) {
+  const bool lights = lit_per_vertex(key), clips = key.structure.contains("CLIP_PLANE");
+  const bool tangents = key.structure.contains("TANGENTS");
+  std::string text = vertex_text + include_line(transforms_glsl);
+  if (tangents) text += "layout(location = 3) in vec4 a_tangent;\nout vec4 v_tangent_world;\n";
+  if (clips) text += "uniform vec4 u_clip_plane;\n";
+  if (lights) text += "out vec3 v_shaded;\n" + features_text(key, lighting_slots);
+  text +=
       "void main() {\n"
       "  v_position_world = world_position(u_model, a_position);\n"
       "  v_normal_world = world_normal(u_normal_matrix, a_normal);\n"
       "  v_texcoord = a_texcoord;\n"
       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n";
-  if (per_vertex)
-    vertex += "  Surface surface = Surface(v_position_world, v_normal_world, v_texcoord, u_eye_world);\n  v_shaded = " +
-              shaded + ";\n";
-  vertex += "}\n";
+  // A tangent lies in the surface: it goes with the model's matrix, as positions do.
+  if (tangents) text += "  v_tangent_world = vec4(mat3(u_model) * a_tangent.xyz, a_tangent.w);\n";
+  if (clips) text += "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(v_position_world, 1.0));\n";
+  if (lights) text += surface_statement + lighting_statements(key) + "  v_shaded = shaded;\n";
+  return text + "}\n";
+}
 
-  // Fragment stage: gather the surface, let the features shade it, write what was asked for.
-  std::string fragment = fragment_text;
-  if (per_vertex)
-    fragment += "in vec3 v_shaded;\nvoid main() { o_colour = vec4(v_shaded, 1.0); }\n";
-  else
-    fragment += (shading.empty() ? include_line("surface.glsl") : shading) +
-                "void main() {\n"
-                "  Surface surface = Surface(v_position_world, v_normal_world, v_texcoord, u_eye_world);\n"
-                "#ifdef TWO_SIDED\n"
-                "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
-                "#endif\n"
-                "  o_colour = vec4(" +
-                output_expression(key, shaded) + ", 1.0);\n}\n";
+/// Gather the surface, let the features change and shade it, write what was asked for.
+std::string fragment_stage(const SurfaceKey& key) {
+  std::string text = fragment_text;
+  const bool lit = lit_per_vertex(key);
+  if (lit) text += "in vec3 v_shaded;\n";
+  if (key.structure.contains("TANGENTS")) text += "in vec4 v_tangent_world;\n";
+  text += lit ? features_text(key, slots_beside_lighting) : features_text(key, all_slots);
+  text += std::string("void main() {\n") + surface_statement +
+          "#ifdef TWO_SIDED\n"
+          "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
+          "#endif\n";
+  text +=
+      calls(Slot::displace_texcoord, key, "  {}(surface);\n") + calls(Slot::modify_surface, key, "  {}(surface);\n");
+  text += calls(Slot::discard_fragment, key, "  if ({}(surface)) discard;\n");
+  if (key.output == "colour") {
+    text += lit ? "  vec3 shaded = v_shaded;\n" : lighting_statements(key);
+    text += calls(Slot::modify_shaded, key, "  shaded = {}(surface, shaded);\n");
+  }
+  return text + "  o_colour = vec4(" + output_expression(key) + ", 1.0);\n}\n";
+}
 
+}  // namespace
+
+SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key) {
+  Defines structure = key.structure;
+  if (knows_visibility(key)) structure["VISIBILITY"] = "1";
   // The vertex stage is told of the structure only where it lights: one text for all other variants, so that the driver
   // compiles it once (Mesa keys its compiled code by the text's hash).
-  return {assemble_shader_text(find, vertex, "surface vertex shader", per_vertex ? key.structure : Defines{}),
-          assemble_shader_text(find, fragment, "surface fragment shader", key.structure)};
+  return {assemble_shader_text(find, vertex_stage(transforms_glsl, key), "surface vertex shader",
+                               lit_per_vertex(key) ? structure : Defines{}),
+          assemble_shader_text(find, fragment_stage(key), "surface fragment shader", structure)};
 }
 
 }  // namespace atelier

@@ -111,25 +111,25 @@ vec3 reflected(vec3 normal, vec3 to_eye, vec3 to_light, Material m) {
 
 vec3 shade(vec3 position, vec3 normal, vec3 eye, Material m) {
   vec3 sum = m.diffuse * u_ambient;
-  // >>> student: make normal and to_eye unit vectors, then add every light of every type
+  // >>> student: make normal and to_eye unit vectors, then add what is visible of every light of every type
   vec3 eye_difference = eye - position;
   if (dot(normal, normal) == 0.0 || dot(eye_difference, eye_difference) == 0.0) return sum;
   vec3 n = normalize(normal), to_eye = normalize(eye_difference), to_light;
 #if POINT_LIGHTS > 0
   for (int i = 0; i < POINT_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_point(u_point_lights[i], position, to_light);
+    vec3 arriving = arriving_from_point(u_point_lights[i], position, to_light) * visible_from_point(i);
     sum += arriving * reflected(n, to_eye, to_light, m);
   }
 #endif
 #if SPOT_LIGHTS > 0
   for (int i = 0; i < SPOT_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_spot(u_spot_lights[i], position, to_light);
+    vec3 arriving = arriving_from_spot(u_spot_lights[i], position, to_light) * visible_from_spot(i);
     sum += arriving * reflected(n, to_eye, to_light, m);
   }
 #endif
 #if DIRECTIONAL_LIGHTS > 0
   for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_direction(u_directional_lights[i], position, to_light);
+    vec3 arriving = arriving_from_direction(u_directional_lights[i], position, to_light) * visible_from_directional(i);
     sum += arriving * reflected(n, to_eye, to_light, m);
   }
 #endif

@@ -179,35 +179,3 @@ float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light
   // | return 1.0;
   // <<< student
 }
-
-vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m) {
-  vec3 sum = m.diffuse * u_ambient;
-  // >>> student: as step 02's shade, each light weakened by its visibility; ask for that before any branch
-  vec3 eye_difference = eye - position, to_light;
-  bool dark = dot(normal, normal) == 0.0 || dot(eye_difference, eye_difference) == 0.0;
-  vec3 n = dark ? vec3(0.0) : normalize(normal), to_eye = dark ? vec3(0.0) : normalize(eye_difference);
-#if POINT_LIGHTS > 0
-  for (int i = 0; i < POINT_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_point(u_point_lights[i], position, to_light);
-    arriving *= visible_from_point(i, position, n, to_light);
-    sum += arriving * reflected(n, to_eye, to_light, m);
-  }
-#endif
-#if SPOT_LIGHTS > 0
-  for (int i = 0; i < SPOT_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_spot(u_spot_lights[i], position, to_light);
-    arriving *= visible_from_spot(i, position, n, to_light);
-    sum += arriving * reflected(n, to_eye, to_light, m);
-  }
-#endif
-#if DIRECTIONAL_LIGHTS > 0
-  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
-    vec3 arriving = arriving_from_direction(u_directional_lights[i], position, to_light);
-    arriving *= visible_from_sun(i, position, n, to_light);
-    sum += arriving * reflected(n, to_eye, to_light, m);
-  }
-#endif
-  // --- skeleton
-  // <<< student
-  return sum;
-}

@@ -38,6 +38,44 @@ uniform DirectionalLight u_directional_lights[DIRECTIONAL_LIGHTS];
 #endif
 uniform vec3 u_ambient;
 
+// How much of each light reaches the point that is shaded: 0 none, 1 all, by the light's number in its array. It is worked
+// out for every light before `shade` is called, so it may be asked for anywhere. 1 where nothing can stand in the way.
+#ifdef VISIBILITY
+#if POINT_LIGHTS > 0
+float point_visibility[POINT_LIGHTS];
+#endif
+#if SPOT_LIGHTS > 0
+float spot_visibility[SPOT_LIGHTS];
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+float directional_visibility[DIRECTIONAL_LIGHTS];
+#endif
+#endif
+
+float visible_from_point(int light) {
+#if defined(VISIBILITY) && POINT_LIGHTS > 0
+  return point_visibility[light];
+#else
+  return 1.0;
+#endif
+}
+
+float visible_from_spot(int light) {
+#if defined(VISIBILITY) && SPOT_LIGHTS > 0
+  return spot_visibility[light];
+#else
+  return 1.0;
+#endif
+}
+
+float visible_from_directional(int light) {
+#if defined(VISIBILITY) && DIRECTIONAL_LIGHTS > 0
+  return directional_visibility[light];
+#else
+  return 1.0;
+#endif
+}
+
 #if POWER == 2
 uniform sampler2D u_power_table;  // one row; red is x^n
 #endif

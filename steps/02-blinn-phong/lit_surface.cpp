@@ -104,24 +104,27 @@ void LitSurface::configure(const Settings& settings) {
 /// Sorts the lights that shine into those of each type. What can be left out is decided once a scene, for every place
 /// from which it may be seen.
 void LitSurface::choose_lights(const Scene& scene) {
-  const auto shining = std::min(scene.lights.size(), std::size_t(light_limit_));
-  const std::vector<Light> lights(scene.lights.begin(), scene.lights.begin() + std::ptrdiff_t(shining));
+  const auto shining = std::min(lights_.all.size(), std::size_t(light_limit_));
+  const std::vector<Light> lights(lights_.all.begin(), lights_.all.begin() + std::ptrdiff_t(shining));
   std::vector<int> kept(shining);
   std::iota(kept.begin(), kept.end(), 0);
   if (cull_lights_) {
     const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
     kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene));
   }
-  for (auto* list : {&points_, &spots_, &suns_}) list->clear();
+  for (auto* list : {&lights_.points, &lights_.spots, &lights_.directional}) list->clear();
   for (const int i : kept) {
     const LightType type = lights[std::size_t(i)].type;
-    (type == LightType::point ? points_ : type == LightType::spot ? spots_ : suns_).push_back(i);
+    (type == LightType::point  ? lights_.points
+     : type == LightType::spot ? lights_.spots
+                               : lights_.directional)
+        .push_back(i);
   }
   lights_left_out_ = int(shining - kept.size());
 }
 
 void LitSurface::count(SceneCounts& counts) const {
-  counts.lights += std::int64_t(points_.size() + spots_.size() + suns_.size());
+  counts.lights += std::int64_t(lights_.points.size() + lights_.spots.size() + lights_.directional.size());
   counts.lights_culled += lights_left_out_;
 }
 
@@ -152,9 +155,9 @@ Need LitSurface::need(const Scene& scene, const View& view, const Node& node) co
   const Material& material = scene.materials[std::size_t(node.material)];
   Need need{.wanted = true};
   Defines& d = need.structure;
-  d["POINT_LIGHTS"] = std::to_string(points_.size());
-  d["SPOT_LIGHTS"] = std::to_string(spots_.size());
-  d["DIRECTIONAL_LIGHTS"] = std::to_string(suns_.size());
+  d["POINT_LIGHTS"] = std::to_string(lights_.points.size());
+  d["SPOT_LIGHTS"] = std::to_string(lights_.spots.size());
+  d["DIRECTIONAL_LIGHTS"] = std::to_string(lights_.directional.size());
   if (has_specular(material)) {
     d["SPECULAR"] = "1";
     d["NORMALISATION"] = std::to_string(normalisation_);
@@ -181,15 +184,15 @@ std::map<std::string, std::string> LitSurface::outputs() const {
 void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
   binder.set("u_ambient", scene.ambient);
   const auto place = [&](const Light& light) { return glm::vec3(light.position - viewpoint.origin); };
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    const Light& light = scene.lights[std::size_t(points_[i])];
+  for (std::size_t i = 0; i < lights_.points.size(); ++i) {
+    const Light& light = lights_.light(lights_.points[i]);
     const std::string name = fmt::format("u_point_lights[{}].", i);
     binder.set(name + "position", place(light));
     binder.set(name + "colour", light.colour);
     binder.set(name + "attenuation", light.attenuation);
   }
-  for (std::size_t i = 0; i < spots_.size(); ++i) {
-    const Light& light = scene.lights[std::size_t(spots_[i])];
+  for (std::size_t i = 0; i < lights_.spots.size(); ++i) {
+    const Light& light = lights_.light(lights_.spots[i]);
     const std::string name = fmt::format("u_spot_lights[{}].", i);
     binder.set(name + "position", place(light));
     binder.set(name + "direction", glm::normalize(light.direction));
@@ -197,8 +200,8 @@ void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& 
     binder.set(name + "attenuation", light.attenuation);
     binder.set(name + "cosines", blinn_phong::cone_cosines(light.inner_angle, light.outer_angle));
   }
-  for (std::size_t i = 0; i < suns_.size(); ++i) {
-    const Light& light = scene.lights[std::size_t(suns_[i])];
+  for (std::size_t i = 0; i < lights_.directional.size(); ++i) {
+    const Light& light = lights_.light(lights_.directional[i]);
     const std::string name = fmt::format("u_directional_lights[{}].", i);
     binder.set(name + "direction", glm::normalize(light.direction));
     binder.set(name + "colour", light.colour);

@@ -1,6 +1,8 @@
 // The lit surface, as a feature of the renderer: what later steps build on. Given.
 #pragma once
 
+#include <span>
+
 #include "render/feature.hpp"
 
 namespace atelier {
@@ -11,8 +13,16 @@ SettingSpec shading_setting();
 /// The other settings of this step that belong to the surface (not to the scene).
 std::vector<SettingSpec> lit_surface_settings();
 
+/// The lights that shaders add up, as numbers of a frame's lights: light i of u_point_lights is all[points[i]].
+struct DrawnLights {
+  std::span<const Light> all;  ///< the scene's, and those that features have added
+  std::vector<int> points, spots, directional;
+  const Light& light(int number) const { return all[std::size_t(number)]; }
+};
+
 class LitSurface : public Feature {
  public:
+  void take_lights(std::span<const Light> lights) override { lights_.all = lights; }
   void configure(const Settings& settings) override;
   void prepare(Gl& gl, const Scene& scene) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
@@ -23,10 +33,7 @@ class LitSurface : public Feature {
   void count(SceneCounts& counts) const override;
   void moved(const Scene& scene) override { choose_lights(scene); }
 
-  /// Lights that the shaders add up, as indices into the scene's: light i of u_point_lights is points()[i].
-  const std::vector<int>& points() const { return points_; }
-  const std::vector<int>& spots() const { return spots_; }
-  const std::vector<int>& suns() const { return suns_; }
+  const DrawnLights& lights() const { return lights_; }  ///< as long as this object
 
  private:
   enum class Power { direct, stable, table };
@@ -39,7 +46,7 @@ class LitSurface : public Feature {
   std::string filter_ = "scene";
 
   Gl* gl_ = nullptr;
-  std::vector<int> points_, spots_, suns_;  ///< lights to draw, as indices into the scene's
+  DrawnLights lights_;
   int lights_left_out_ = 0;
   std::vector<GlTexture> textures_;          ///< by index in the scene; empty where no material uses it
   std::map<float, GlTexture> power_tables_;  ///< by exponent

@@ -34,7 +34,36 @@ Material material_at(Surface surface) {
   return m;
 }
 
+#ifdef VISIBILITY
+vec3 unit_way(vec3 from, vec3 to) {
+  vec3 difference = to - from;
+  float distance = length(difference);
+  return distance > 0.0 ? difference / distance : vec3(0.0, 1.0, 0.0);
+}
+
+// For every light, whatever the surface: code that answers may take derivatives, which need all pixels.
+void find_visibility(vec3 position, vec3 normal) {
+  vec3 n = dot(normal, normal) > 0.0 ? normalize(normal) : vec3(0.0);
+#if POINT_LIGHTS > 0
+  for (int i = 0; i < POINT_LIGHTS; ++i)
+    point_visibility[i] = visibility_of_point_light(i, position, n, unit_way(position, u_point_lights[i].position));
+#endif
+#if SPOT_LIGHTS > 0
+  for (int i = 0; i < SPOT_LIGHTS; ++i)
+    spot_visibility[i] = visibility_of_spot_light(i, position, n, unit_way(position, u_spot_lights[i].position));
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i)
+    directional_visibility[i] =
+        visibility_of_directional_light(i, position, n, -u_directional_lights[i].direction);
+#endif
+}
+#endif
+
 vec3 shade_material(Surface surface, Material m) {
+#ifdef VISIBILITY
+  find_visibility(surface.position_world, surface.normal_world);
+#endif
   return shade(surface.position_world, surface.normal_world, surface.eye_world, m);
 }
 

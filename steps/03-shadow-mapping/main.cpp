@@ -12,7 +12,7 @@ namespace atelier {
 namespace {
 
 StepDescription describe() {
-  std::vector<SettingSpec> settings = shadow_settings();
+  std::vector<SettingSpec> settings = shadow_setting_specs();
   for (const SettingSpec& spec : shadow_scene_settings()) settings.push_back(spec);
   for (const SettingSpec& spec : lit_surface_settings()) settings.push_back(spec);
   return {.name = "03-shadow-mapping",
@@ -29,7 +29,8 @@ StepDescription describe() {
 std::vector<std::unique_ptr<Feature>> features() {
   std::vector<std::unique_ptr<Feature>> list;
   auto lit = std::make_unique<LitSurface>();
-  auto shadowed = std::make_unique<ShadowedSurface>(*lit);
+  static const PointFrusta none;  // point lights have no shadows before step 04
+  auto shadowed = std::make_unique<ShadowedSurface>(lit->lights(), none);
   list.push_back(std::move(lit));
   list.push_back(std::move(shadowed));
   return list;

@@ -70,14 +70,21 @@ glm::dmat3 frame_around(const glm::dvec3& z) {
 
 }  // namespace
 
-std::vector<glm::dvec3> corners_of(const NodePainter::Item& item) {
+bool casts(const Scene& scene, const ScenePainter::Item& item) {
+  return scene.nodes[std::size_t(item.node)].casts_shadow;
+}
+bool receives(const Scene& scene, const ScenePainter::Item& item) {
+  return scene.nodes[std::size_t(item.node)].receives_shadow;
+}
+
+std::vector<glm::dvec3> corners_of(const ScenePainter::Item& item) {
   std::vector<glm::dvec3> corners;
   for (int i = 0; i < 8; ++i)
     corners.push_back(glm::dvec3(glm::dmat4(item.model) * glm::dvec4(corner(item.box, i), 1)));
   return corners;
 }
 
-std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint) {
+std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Viewpoint& viewpoint) {
   const Cutter cutter(viewpoint);
   const std::vector<glm::dvec3> corners = corners_of(item);
   // Six faces by their corners' numbers, in order around the face.
@@ -100,11 +107,11 @@ std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Vie
   return seen;
 }
 
-Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> items, const Viewpoint& viewpoint) {
+Pieces visible_receivers(const Scene& scene, std::span<const ScenePainter::Item> items, const Viewpoint& viewpoint) {
   constexpr std::size_t plain = 64 * 3;  // indices: with more triangles, cutting each would take longer than it saves
   const Cutter cutter(viewpoint);
   Pieces pieces;
-  for (const NodePainter::Item& item : items) {
+  for (const ScenePainter::Item& item : items) {
     const Node& node = scene.nodes[std::size_t(item.node)];
     if (!node.receives_shadow || item.box.empty()) continue;
     const Mesh& mesh = scene.meshes[std::size_t(*node.mesh)];

@@ -10,19 +10,22 @@
 
 namespace atelier {
 
+bool casts(const Scene& scene, const ScenePainter::Item& item);
+bool receives(const Scene& scene, const ScenePainter::Item& item);
+
 /// The corners of an item's box, in world space.
-std::vector<glm::dvec3> corners_of(const NodePainter::Item& item);
+std::vector<glm::dvec3> corners_of(const ScenePainter::Item& item);
 
 /// The corners of that part of an item's box which the camera sees: the box, cut by the six planes of the view. None
 /// where it is out of sight.
-std::vector<glm::dvec3> visible_corners(const NodePainter::Item& item, const Viewpoint& viewpoint);
+std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Viewpoint& viewpoint);
 
 /// Convex pieces, each by its corners in world space.
 using Pieces = std::vector<std::vector<glm::dvec3>>;
 
 /// All that the camera sees of what receives shadows lies in these, and little else: the triangles of plain meshes
 /// (walls, boxes: a room's box would hold the air in it) and the boxes of others, cut by the six planes of the view.
-Pieces visible_receivers(const Scene& scene, std::span<const NodePainter::Item> items, const Viewpoint& viewpoint);
+Pieces visible_receivers(const Scene& scene, std::span<const ScenePainter::Item> items, const Viewpoint& viewpoint);
 
 /// The rectangle of texels of a map that these pieces fall into, and so many texels around it: x, y, width, height. All
 /// of the map where something lies behind the light's plane.

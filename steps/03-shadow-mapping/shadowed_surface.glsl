@@ -1,16 +1,15 @@
 // Hands a surface point to the student's functions. Given.
-#include "02-blinn-phong/surface_lighting.glsl"
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
 // PARALLEL: in all matrices of suns the last row is 0 0 0 1, as it must be without a perspective.
 //
-// Which of u_shadow_lights a light is, -1: it has no map. Constants, because what the compiler knows it need not work out
-// for every pixel: which light's numbers to fetch, which layer to look up, whether there is a perspective.
+// Which of u_shadow_lights a light is, -1: it has no map. Constants, because what the compiler knows it need not work
+// out for every pixel: which light's numbers to fetch, which layer to look up, whether there is a perspective.
 #if SPOT_LIGHTS > 0
 const int spot_maps[SPOT_LIGHTS] = int[](SPOT_MAPS);
 #endif
 #if DIRECTIONAL_LIGHTS > 0
-const int sun_maps[DIRECTIONAL_LIGHTS] = int[](SUN_MAPS);
+const int directional_maps[DIRECTIONAL_LIGHTS] = int[](DIRECTIONAL_MAPS);
 #endif
 #if POINT_LIGHTS > 0
 const int point_maps[POINT_LIGHTS] = int[](POINT_MAPS);  // of lamps whose casters fit one map: step 04
@@ -34,7 +33,7 @@ float factor_of_map(int map, bool sun, vec3 position, vec3 normal, vec3 to_light
   return 1.0;
 }
 
-float spot_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
+float spot_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if SPOT_LIGHTS > 0
   return factor_of_map(spot_maps[light], false, position, normal, to_light);
 #else
@@ -42,9 +41,9 @@ float spot_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
 #endif
 }
 
-float sun_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
+float directional_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if DIRECTIONAL_LIGHTS > 0
-  return factor_of_map(sun_maps[light], true, position, normal, to_light);
+  return factor_of_map(directional_maps[light], true, position, normal, to_light);
 #else
   return 1.0;
 #endif
@@ -56,11 +55,6 @@ float point_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_lig
 #else
   return 1.0;
 #endif
-}
-
-vec3 shade_shadowed_surface(Surface surface) {
-  return u_emission +
-         shade_with_shadows(surface.position_world, surface.normal_world, surface.eye_world, material_at(surface));
 }
 
 // ---- Intermediates: of the light that shadow.light chooses, whose map is SHOWN_MAP (-1: none)

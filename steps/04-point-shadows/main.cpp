@@ -1,6 +1,7 @@
 // 04-point-shadows: the program. Lamps that shine all round, with your shadows.
 #include "01-transforms/functions.hpp"
 #include "02-blinn-phong/lit_surface.hpp"
+#include "04-point-shadows/lamp_cones.hpp"
 #include "04-point-shadows/point_shadowed_surface.hpp"
 #include "04-point-shadows/probes.hpp"
 #include "04-point-shadows/scenes.hpp"
@@ -14,7 +15,7 @@ namespace {
 
 StepDescription describe() {
   std::vector<SettingSpec> settings = cube_settings();
-  for (const auto& more : {point_scene_settings(), study_settings(), shadow_settings(), lit_surface_settings()})
+  for (const auto& more : {point_scene_settings(), study_settings(), shadow_setting_specs(), lit_surface_settings()})
     settings.insert(settings.end(), more.begin(), more.end());
   return {
       .name = "04-point-shadows",
@@ -31,9 +32,13 @@ StepDescription describe() {
 std::vector<std::unique_ptr<Feature>> features() {
   std::vector<std::unique_ptr<Feature>> list;
   auto lit = std::make_unique<LitSurface>();
-  auto shadowed = std::make_unique<PointShadowedSurface>(*lit);
+  auto cones = std::make_unique<LampCones>(lit->lights());
+  auto maps = std::make_unique<ShadowedSurface>(lit->lights(), cones->frusta());
+  auto cubes = std::make_unique<PointShadowedSurface>(lit->lights(), maps->maps());
   list.push_back(std::move(lit));
-  list.push_back(std::move(shadowed));
+  list.push_back(std::move(cones));
+  list.push_back(std::move(maps));
+  list.push_back(std::move(cubes));
   return list;
 }
 

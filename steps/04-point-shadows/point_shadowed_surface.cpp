@@ -30,16 +30,15 @@ std::vector<SettingSpec> cube_settings() {
 }
 
 void PointShadowedSurface::configure(const Settings& settings) {
-  ShadowedSurface::configure(settings);
+  settings_ = shadow_settings(settings);
   edge_ = settings.integer("cube.resolution");
   layered_ = settings.choice("cube.passes") == "one";
   every_face_ = settings.choice("cube.faces") == "all";
-  cones_ = settings.choice("cube.instead") == "cone";
 }
 
-void PointShadowedSurface::moved(const Scene& scene) {
-  ShadowedSurface::moved(scene);
-  cubes_found_ = false;
+void PointShadowedSurface::moved(const Scene&) {
+  cubes_.clear();
+  found_ = false;
 }
 
 // ---- Which lamps have what
@@ -47,7 +46,7 @@ void PointShadowedSurface::moved(const Scene& scene) {
 namespace {
 
 /// The distance from a point to the farthest corner of an item's box.
-double farthest_corner(const NodePainter::Item& item, const glm::dvec3& from) {
+double farthest_corner(const ScenePainter::Item& item, const glm::dvec3& from) {
   double farthest = 0;
   for (const glm::dvec3& corner : corners_of(item)) farthest = std::max(farthest, glm::distance(corner, from));
   return farthest;
@@ -55,50 +54,27 @@ double farthest_corner(const NodePainter::Item& item, const glm::dvec3& from) {
 
 }  // namespace
 
-std::optional<shadow_mapping::LightFrustum> PointShadowedSurface::fit_point(
-    const Light&, const glm::vec3& position, std::span<const NodePainter::Item> casters) const {
-  if (!cones_) return {};
-  std::vector<Sphere> spheres;
-  for (const NodePainter::Item& item : casters)
-    if (const auto sphere = sphere_around(corners_of(item))) spheres.push_back(*sphere);
-  // Radians, 63 degrees: up to 68, whose tangent is sqrt(6), a map has finer texels than a cube of as many.
-  constexpr float widest = 1.1f;
-  const auto cone = cone_around(position, spheres, widest);
-  if (!cone) return {};
-  float near = 1e30f, far = 0;
-  for (const Sphere& sphere : spheres) {
-    const float depth = glm::dot(sphere.centre - position, cone->axis);
-    near = std::min(near, depth - sphere.radius);
-    far = std::max(far, depth + sphere.radius);
-  }
-  return shadow_mapping::LightFrustum{.eye = position,
-                                      .direction = cone->axis,
-                                      .extent = std::max(cone->half_angle, 1e-3f),
-                                      .near = std::max(0.99f * near, far / 1000),
-                                      .far = far};
-}
-
 /// Whether anything in the picture is looked up in a face.
 bool PointShadowedSurface::is_looked_up(const glm::mat4& face) const {
-  if (every_face_ || !looked_up()) return true;
+  if (every_face_ || !maps_.looked_up) return true;
   // Where a grid of texels that is square to the direction lies across an edge, a step along it is up to sqrt(2) texels
   // of the face wide, and one along its diagonal 2. A normal moves a point by up to sqrt(2) texels aside. Both hold
   // while the steps are short against the distance.
-  const float texel = 2 / float(edge_), steps = 0.71f * float(pcf() - 1) + texels_moved();
+  const float texel = 2 / float(edge_), steps = 0.71f * float(settings_.pcf - 1) + texels_moved(settings_);
   if (steps * texel > 0.5f) return true;
-  return looks_into(*looked_up(), face, texel * (float(pcf() + 1) + 1.42f * texels_moved()));
+  return looks_into(*maps_.looked_up, face, texel * (float(settings_.pcf + 1) + 1.42f * texels_moved(settings_)));
 }
 
 std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const Scene& scene, int light,
                                                                           const Viewpoint& viewpoint,
-                                                                          const NodePainter& painter) const {
-  const Light& source = scene.lights[std::size_t(light)];
-  if (!source.casts_shadow || has_map(light)) return {};
+                                                                          const ScenePainter& painter) const {
+  const Light& source = lights_.light(light);
+  if (!source.casts_shadow || maps_.layer_of(light) >= 0) return {};
   Cubed cube{.light = light, .position = glm::vec3(source.position - viewpoint.origin)};
   double far = 0;
   for (int i = 0; i < int(painter.items().size()); ++i) {
-    const NodePainter::Item& item = painter.items()[std::size_t(i)];
-    if (!scene.nodes[std::size_t(item.node)].casts_shadow || item.box.empty()) continue;
+    const ScenePainter::Item& item = painter.items()[std::size_t(i)];
+    if (!casts(scene, item) || item.box.empty()) continue;
     cube.casters.push_back(i);
     far = std::max(far, farthest_corner(item, glm::dvec3(cube.position)));
   }
@@ -110,7 +86,7 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
     const glm::mat4 view = face_view(cube.position, face);
     if (!is_looked_up(view)) continue;
     for (const int i : cube.casters) {
-      const NodePainter::Item& item = painter.items()[std::size_t(i)];
+      const ScenePainter::Item& item = painter.items()[std::size_t(i)];
       if (every_face_ || !outside_view(projection, view, item.model, item.box))
         cube.seen[std::size_t(face)].push_back(i);
     }
@@ -122,12 +98,12 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
   return cube;
 }
 
-void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter) {
+void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter) {
   cubes_.clear();
-  for (const int light : lit().points())
+  for (const int light : lights_.points)
     if (int(cubes_.size()) < most_cubes)
       if (auto cube = cube_for(scene, light, viewpoint, painter)) cubes_.push_back(std::move(*cube));
-  cubes_found_ = true;
+  found_ = true;
 }
 
 // ---- Drawing them
@@ -135,12 +111,13 @@ void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewp
 bool PointShadowedSurface::make_room(Gl& gl, std::size_t cube) {
   if (rooms_.size() <= cube) rooms_.resize(cube + 1);
   Room& room = rooms_[cube];
-  if (room.made() && room.edge == edge_ && room.format == format() && room.compare == compares()) return true;
+  if (room.made() && room.edge == edge_ && room.format == settings_.format && room.compare == settings_.bilinear)
+    return true;
   room = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
-  Room made{.names = make_cube_map(gl, edge_, format(), compares()),
+  Room made{.names = make_cube_map(gl, edge_, settings_.format, settings_.bilinear),
             .edge = edge_,
-            .format = format(),
-            .compare = compares()};
+            .format = settings_.format,
+            .compare = settings_.bilinear};
   made.texture = GlTexture(gl, made.names.texture);
   made.framebuffer = GlFramebuffer(gl, made.names.framebuffer);
   check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", edge_).c_str());
@@ -178,7 +155,7 @@ PassSources cube_pass(bool layered) {
 
 }  // namespace
 
-void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& painter) {
+void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& painter) {
   static const PassSources all_at_once = cube_pass(true), one_by_one = cube_pass(false);
   Cubed& cube = cubes_[index];
   const CubeMap& names = rooms_[index].names;
@@ -189,7 +166,7 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
     binder.set("u_light_position", cube.position);
     binder.set("u_far", cube.far);
   };
-  begin_cube_pass(gl, names, -1, culls_front_faces());
+  begin_cube_pass(gl, names, -1, settings_.culls_front_faces());
   if (layered_) {
     painter.paint(all_at_once, cube.casters, [&](Binder& binder) {
       bind_light(binder);
@@ -201,7 +178,7 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
   } else {
     for (std::size_t face = 0; face < 6; ++face) {
       if (cube.seen[face].empty()) continue;  // cleared above with all others
-      begin_cube_pass(gl, names, int(face), culls_front_faces());
+      begin_cube_pass(gl, names, int(face), settings_.culls_front_faces());
       painter.paint(one_by_one, cube.seen[face], [&](Binder& binder) {
         bind_light(binder);
         binder.set("u_face_matrix", matrices[face]);
@@ -209,16 +186,21 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, NodePainter& pai
     }
   }
   check_gl_error(gl, "drawing a cube of shadow maps");
-  cube.drawn = keeps_maps();  // else only what this frame's picture asks
+  cube.drawn = settings_.keep;  // else only what this frame's picture asks
 }
 
-void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) {
-  ShadowedSurface::draw_before(gl, scene, viewpoint, painter);
+void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
+  shown_ = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
   if (!shows_shadows(viewpoint.view)) return;
-  if (!cubes_found_ || !keeps_maps() || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
+  const bool keep = settings_.keep;
+  if (!found_ || !keep || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
     if (!make_room(gl, i)) continue;
-    if (!keeps_maps() || !cubes_[i].drawn) draw_cube(gl, i, painter);
+    if (!keep || !cubes_[i].drawn) draw_cube(gl, i, painter);
+  }
+  if (Defines now = structure(); now != structure_) {
+    structure_ = std::move(now);
+    structure_changed();
   }
 }
 
@@ -238,12 +220,12 @@ void main() {
 
 }  // namespace
 
-PointShadowedSurface::PointShadowedSurface(const LitSurface& lit)
-    : ShadowedSurface(lit), showing_cube_(GL_TEXTURE_CUBE_MAP, six_faces) {}
+PointShadowedSurface::PointShadowedSurface(const DrawnLights& lights, const FrameMaps& maps)
+    : lights_(lights), maps_(maps), showing_cube_(GL_TEXTURE_CUBE_MAP, six_faces) {}
 
 bool PointShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
-  const int cube = cube_of(shown_light());
-  if (view.output != "shadow_map" || cube < 0) return ShadowedSurface::draw_instead(gl, view, target);
+  const int cube = cube_of(settings_.shown_light);
+  if (view.output != "shadow_map" || cube < 0) return false;
   showing_cube_.draw(gl, target, rooms_[std::size_t(cube)].texture.id());
   return true;
 }
@@ -256,31 +238,40 @@ int PointShadowedSurface::cube_of(int light) const {
   return -1;
 }
 
-Need PointShadowedSurface::need(const Scene& scene, const View& view, const Node& node) const {
-  if (!shows_shadows(view)) return {};
-  Need need = ShadowedSurface::need(scene, view, node);
-  const bool cubes = node.receives_shadow && std::any_of(cubes_.begin(), cubes_.end(),
-                                                         [&](const Cubed& cube) { return cube_of(cube.light) >= 0; });
-  if (!need.wanted && !cubes) return {};
-  if (!need.wanted) need = {.wanted = true, .structure = structure(node.receives_shadow)};
-  need.structure["CUBES"] = std::to_string(cubes ? cubes_.size() : 0);
-  need.structure["POINT_CUBES"] = glsl_list(lit().points(), [this](int light) { return cube_of(light); });
-  if (need.structure.contains("SHOWN_MAP")) need.structure["SHOWN_CUBE"] = std::to_string(cube_of(shown_light()));
+bool PointShadowedSurface::any_cube() const {
+  return std::ranges::any_of(cubes_, [this](const Cubed& cube) { return cube_of(cube.light) >= 0; });
+}
+
+/// Of surfaces that receive shadows. SHOWN_CUBE is read by the outputs of shadows alone.
+Defines PointShadowedSurface::structure() const {
+  Defines d = filter_structure(settings_);
+  d["CUBES"] = std::to_string(any_cube() ? cubes_.size() : 0);
+  d["POINT_CUBES"] = glsl_list(lights_.points, [this](int light) { return cube_of(light); });
+  d["SHOWN_CUBE"] = std::to_string(cube_of(settings_.shown_light));
+  return d;
+}
+
+Need PointShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
+  // Of a light that has no cube step 03 shows what there is.
+  const bool alone = shows_shadows_alone(view);
+  const bool wanted = alone ? cube_of(settings_.shown_light) >= 0 : any_cube() && node.receives_shadow;
+  if (!shows_shadows(view) || !wanted) return {};
+  Need need{.wanted = true, .structure = structure_};
+  if (!node.receives_shadow) need.structure["CUBES"] = "0";
+  if (!alone) need.structure.erase("SHOWN_CUBE");
   return need;
 }
 
 std::map<Slot, SlotCode> PointShadowedSurface::slots() const {
-  auto slots = ShadowedSurface::slots();
-  slots[Slot::visible_from_point] = {"04-point-shadows/point_shadowed_surface.glsl", "point_visibility"};
-  return slots;
+  return {{Slot::visible_from_point, {"04-point-shadows/point_shadowed_surface.glsl", "point_visibility_by_cube"}}};
 }
 
 std::map<std::string, std::string> PointShadowedSurface::outputs() const {
-  return {{"shadow_factor", "shown_factor(surface)"}, {"shadow_coordinate", "shown_coordinate(surface)"}};
+  return {{"shadow_factor", "shown_cube_factor(surface)"}, {"shadow_coordinate", "shown_cube_coordinate(surface)"}};
 }
 
-void PointShadowedSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
-  ShadowedSurface::bind_view(binder, scene, viewpoint);
+void PointShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoint&) {
+  bind_bias(binder, settings_);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
     const std::string name = fmt::format("u_cube_lights[{}].", i);
     binder.set(name + "position", cubes_[i].position);
@@ -292,9 +283,8 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene& scene, const V
 }
 
 void PointShadowedSurface::count(SceneCounts& counts) const {
-  ShadowedSurface::count(counts);
   for (const Cubed& cube : cubes_)
-    if (cube_of(cube.light) >= 0) counts.lookups += lookups_in_a_map();
+    if (shown_ && cube_of(cube.light) >= 0) counts.lookups += lookups_in_a_map(settings_);
 }
 
 }  // namespace atelier

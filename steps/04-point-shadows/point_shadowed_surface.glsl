@@ -1,5 +1,4 @@
 // Hands a surface point to the student's functions. Given.
-#include "03-shadow-mapping/shadowed_surface.glsl"
 #include "04-point-shadows/point_shadows.glsl"
 
 // Which of u_cube_lights a point light is, -1: it has no cube.
@@ -14,31 +13,29 @@ float factor_of_cube(int cube, vec3 position, vec3 normal, vec3 to_light) {
   return 1.0;
 }
 
-float point_visibility(int light, vec3 position, vec3 normal, vec3 to_light) {
+float point_visibility_by_cube(int light, vec3 position, vec3 normal, vec3 to_light) {
 #if POINT_LIGHTS > 0
-  if (point_cubes[light] >= 0) return factor_of_cube(point_cubes[light], position, normal, to_light);
-  return point_visibility_by_map(light, position, normal, to_light);
+  return factor_of_cube(point_cubes[light], position, normal, to_light);
 #else
   return 1.0;
 #endif
 }
 
-// ---- Intermediates: of the light that shadow.light chooses, whose cube is SHOWN_CUBE (-1: none)
+// ---- Intermediates: of the light that shadow.light chooses, whose cube is SHOWN_CUBE
 
 #ifdef SHOWN_CUBE
-vec3 shown_factor(Surface surface) {
+vec3 shown_cube_factor(Surface surface) {
   vec3 position = surface.position_world;
-  if (SHOWN_CUBE < 0) return shown_shadow_factor(surface);
   return vec3(factor_of_cube(SHOWN_CUBE, position, unit_or_zero(surface.normal_world),
                              unit_or_zero(u_shown_position - position)));
 }
 
 // The way from the lamp, as a share of `far`.
-vec3 shown_coordinate(Surface surface) {
+vec3 shown_cube_coordinate(Surface surface) {
 #if CUBES > 0
-  if (SHOWN_CUBE >= 0)
-    return (surface.position_world - u_cube_lights[SHOWN_CUBE].position) / u_cube_lights[SHOWN_CUBE].far;
+  return (surface.position_world - u_cube_lights[SHOWN_CUBE].position) / u_cube_lights[SHOWN_CUBE].far;
+#else
+  return vec3(0.0);
 #endif
-  return shown_shadow_coordinate(surface);
 }
 #endif

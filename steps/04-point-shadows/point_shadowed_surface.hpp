@@ -10,24 +10,22 @@ namespace atelier {
 /// The settings of this step that belong to cubes. Format, filter, bias and update are step 03's settings.
 std::vector<SettingSpec> cube_settings();
 
-class PointShadowedSurface : public ShadowedSurface {
+class PointShadowedSurface : public Feature {
  public:
-  /// `lit` as for step 03; it must outlive this.
-  explicit PointShadowedSurface(const LitSurface& lit);
+  /// `lights` says which lights shine, `maps` which of them have a map already; both must outlive this. Stands behind
+  /// ShadowedSurface among a renderer's features.
+  PointShadowedSurface(const DrawnLights& lights, const FrameMaps& maps);
 
   void configure(const Settings& settings) override;
+  void prepare(Gl&, const Scene& scene) override { moved(scene); }
   void moved(const Scene& scene) override;
-  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, NodePainter& painter) override;
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
   bool draw_instead(Gl& gl, const View& view, const Target& target) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void count(SceneCounts& counts) const override;
-
- protected:
-  std::optional<shadow_mapping::LightFrustum> fit_point(const Light& light, const glm::vec3& position,
-                                                        std::span<const NodePainter::Item> casters) const override;
 
  private:
   static constexpr int most_cubes = 4;  ///< as cubes.glsl has it
@@ -52,17 +50,24 @@ class PointShadowedSurface : public ShadowedSurface {
   };
 
   std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
-                                const NodePainter& painter) const;
+                                const ScenePainter& painter) const;
   bool is_looked_up(const glm::mat4& face) const;
-  void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const NodePainter& painter);
+  void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter);
   bool make_room(Gl& gl, std::size_t cube);
-  void draw_cube(Gl& gl, std::size_t cube, NodePainter& painter);
+  void draw_cube(Gl& gl, std::size_t cube, ScenePainter& painter);
   int cube_of(int light) const;
+  bool any_cube() const;
+  Defines structure() const;
 
-  int edge_ = 512;  ///< texels
-  bool layered_ = true, cones_ = true, every_face_ = false;
+  const DrawnLights& lights_;
+  const FrameMaps& maps_;
+  ShadowSettings settings_;  ///< of step 03: filter, bias, format and update
+  int edge_ = 512;           ///< texels
+  bool layered_ = true, every_face_ = false;
   std::vector<Cubed> cubes_;
-  bool cubes_found_ = false;  ///< whether cubes_ is right for scene and settings
+  bool found_ = false;  ///< whether cubes_ is right for scene and settings
+  bool shown_ = false;  ///< whether the last frame's shaders read the cubes
+  Defines structure_;   ///< of surfaces that receive shadows, in the last frame
   std::vector<Room> rooms_;
   MapPicture showing_cube_;  ///< six faces side by side
 };

@@ -10,7 +10,7 @@ using namespace atelier::test;
 /// Fills a target of its own with the depths of the nodes that it is told, whatever state that leaves behind.
 struct DepthPiece : Piece {
   std::vector<int> wanted{0};
-  std::vector<NodePainter::Item> items;
+  std::vector<ScenePainter::Item> items;
   std::optional<Target> map;
   PassSources pass{
       .name = "pass",
@@ -19,7 +19,7 @@ struct DepthPiece : Piece {
   int bound = 0;
   bool instead = false;
 
-  void draw_before(Gl& gl, const Scene&, const Viewpoint& viewpoint, NodePainter& painter) override {
+  void draw_before(Gl& gl, const Scene&, const Viewpoint& viewpoint, ScenePainter& painter) override {
     items.assign(painter.items().begin(), painter.items().end());
     if (!map) map.emplace(gl, TargetSpec{.width = 16, .height = 16, .colour = ColourFormat::none});
     map->bind(gl);
@@ -164,38 +164,4 @@ TEST_CASE("lights and nodes that move are told to the features", "[passes]") {
   renderer.nodes_moved();
   renderer.lights_moved();
   CHECK(piece.times == 2);
-}
-
-TEST_CASE("shading code asks what it sees of each light, and features answer", "[passes]") {
-  Shaders shaders;
-  shaders.write("00-fake/shade.glsl", R"(
-vec3 shade(Surface s) {
-  vec3 up = vec3(0.0, 1.0, 0.0);
-  return vec3(visible_from_point(0, s.position_world, up, up), visible_from_spot(1, s.position_world, up, up),
-              visible_from_sun(2, s.position_world, up, up));
-}
-)");
-  shaders.write("00-fake/spot.glsl",
-                "float spot(int light, vec3 position, vec3 normal, vec3 to_light) { return 0.25 * float(light); }\n");
-  Piece shading, knowing, better;
-  shading.filled = {{Slot::shade, {"00-fake/shade.glsl", "shade"}}};
-  knowing.filled = {{Slot::visible_from_spot, {"00-fake/spot.glsl", "spot"}}};
-  // One file may hold both what asks and what answers.
-  shaders.write("00-fake/sun.glsl",
-                "float sun(int light, vec3 p, vec3 n, vec3 l) { return visible_from_spot(3, p, n, l); }\n");
-  better.filled = {{Slot::visible_from_sun, {"00-fake/sun.glsl", "sun"}}};
-
-  const auto context = make_headless_context();
-  std::vector<std::unique_ptr<Feature>> list;
-  for (const Piece* piece : {&shading, &knowing, &better}) {
-    list.push_back(std::make_unique<Piece>());
-    static_cast<Piece&>(*list.back()).filled = piece->filled;
-  }
-  Renderer renderer(context->gl(), shaders.implementations(), fake_transforms(), std::move(list));
-  const Scene scene = triangle_scene();
-  renderer.prepare(scene);
-  const Target target(context->gl(), {.width = 32, .height = 32});
-  renderer.render({.camera = scene.camera}, target);
-  // Nobody knows about point lights: 1. The spot is asked for by its number, 1; the sun's answer is the spot's for 3.
-  CHECK(target.read_colour(context->gl()).at(10, 20) == Rgba{1, 0.25f, 0.75f, 1});
 }

@@ -17,6 +17,8 @@ struct Piece : Feature {
   std::map<Slot, SlotCode> filled;
   std::map<std::string, std::string> shown;
   std::function<void(Binder&, const Viewpoint&)> bind = [](Binder&, const Viewpoint&) {};
+  std::vector<ChainPass> chain;
+  std::optional<glm::vec3> behind;
   int prepared = 0, configured = 0, views = 0, materials = 0;
 
   void configure(const Settings&) override { ++configured; }
@@ -26,6 +28,8 @@ struct Piece : Feature {
   }
   std::map<Slot, SlotCode> slots() const override { return filled; }
   std::map<std::string, std::string> outputs() const override { return shown; }
+  std::vector<ChainPass> passes(const Scene&, const View&) const override { return chain; }
+  std::optional<glm::vec3> background(const Scene&, const View&) const override { return behind; }
   void bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) override {
     ++views;
     bind(binder, viewpoint);
@@ -74,5 +78,42 @@ inline Scene triangle_scene() {
 }
 
 inline const Rgba dark_blue{0, 0, 0.25f, 1}, grey{0.5f, 0.5f, 0.5f, 1};
+
+/// A renderer with features on a context of its own, and a target.
+struct Stage {
+  Shaders shaders;
+  std::unique_ptr<HeadlessContext> context = make_headless_context();
+  std::unique_ptr<Renderer> renderer;
+  TargetSpec spec{.width = 32, .height = 32, .depth = DepthFormat::depth24_stencil8};
+
+  Gl& gl() { return context->gl(); }
+  /// `features` in order; the pointers stay theirs.
+  template <class... Features>
+  void open(ChainFunctions chain, std::unique_ptr<Features>... features) {
+    std::vector<std::unique_ptr<Feature>> list;
+    (list.push_back(std::move(features)), ...);
+    renderer = std::make_unique<Renderer>(gl(), shaders.implementations(), fake_transforms(), std::move(list), chain);
+  }
+  Image draw(const Scene& scene, View view) {
+    renderer->prepare(scene);
+    return draw_again(view);
+  }
+  Image draw_again(const View& view) {
+    const Target target(gl(), spec);
+    renderer->render(view, target);
+    return target.read_colour(gl());
+  }
+  Image draw(const Scene& scene) { return draw(scene, {.camera = scene.camera}); }
+};
+
+/// A feature that fills one slot with a function of this text.
+inline std::unique_ptr<Piece> piece_for(Shaders& shaders, Slot slot, const std::string& function,
+                                        const std::string& text) {
+  const std::string file = "00-fake/" + function + ".glsl";
+  shaders.write(file, text);
+  auto piece = std::make_unique<Piece>();
+  piece->filled = {{slot, {file, function}}};
+  return piece;
+}
 
 }  // namespace atelier::test

@@ -37,15 +37,14 @@ TEST_CASE("the surface shader holds what is wanted and nothing else", "[surface_
       {"no feature: a grey silhouette",
        {{}, {}, "colour"},
        {"clip_position"},
-       {"vec4(vec3(0.5), 1.0)"},
+       {"shaded = vec3(0.5);"},
        {"TINT", "GLOW"}},
-      {"a feature that shades nothing", {{&f.plain}, {}, "colour"}, {}, {"vec4(vec3(0.5), 1.0)"}, {"TINT", "GLOW"}},
+      {"a feature that shades nothing", {{&f.plain}, {}, "colour"}, {}, {"shaded = vec3(0.5);"}, {"TINT", "GLOW"}},
       {"a shaded surface",
        {{&f.tint}, {}, "colour"},
        {},
        {"TINT", "tint(surface)"},
-       {"GLOW", "vec4(vec3(0.5), 1.0)", "v_shaded"}},
-      {"the last feature wins", {{&f.tint, &f.glow}, {}, "colour"}, {}, {"GLOW", "glow(surface)"}, {"TINT"}},
+       {"GLOW", "shaded = vec3(0.5);", "v_shaded"}},
       {"lit per vertex",
        {{&f.tint}, {{"PER_VERTEX", "1"}}, "colour"},
        {"TINT", "v_shaded", "tint(surface)"},
@@ -79,7 +78,7 @@ TEST_CASE("the surface shader holds what is wanted and nothing else", "[surface_
 TEST_CASE("every variant compiles and links", "[surface_shader]") {
   Fixture f;
   const auto context = make_headless_context();
-  for (const auto& features : {std::vector<const Feature*>{}, {&f.plain}, {&f.tint}, {&f.tint, &f.glow}})
+  for (const auto& features : {std::vector<const Feature*>{}, {&f.plain}, {&f.tint}})
     for (const Defines& structure : {Defines{}, {{"PER_VERTEX", "1"}}, {{"TWO_SIDED", "1"}}})
       for (const char* output : {"colour", "depth", "normal", "position", "texcoord"}) {
         INFO(features.size() << " features, " << output);
@@ -93,6 +92,18 @@ TEST_CASE("an output that nobody offers is refused with what there is", "[surfac
   const std::string words = error_of([&] { f.assemble({{&f.tint}, {}, "shadow"}); });
   CHECK(mentions(words, {"shadow", "colour", "depth", "normal", "position", "texcoord", "tinting"}));
   CHECK(mentions(error_of([&] { f.assemble({{}, {}, "tinting"}); }), {"tinting"}));  // not wanted: not there
+}
+
+TEST_CASE("two features that shade one surface are refused, and named", "[surface_shader]") {
+  Fixture f;
+  const std::string words = error_of([&] { f.assemble({{&f.tint, &f.glow}, {}, "colour"}); });
+  CHECK(mentions(words, {"tint", "00-fake/tint.glsl", "glow", "00-fake/glow.glsl", "modify_shaded"}));
+}
+
+TEST_CASE("of two features that offer an output the last one answers", "[surface_shader]") {
+  Fixture f;
+  f.plain.shown = {{"tinting", "vec3(0.75)"}};
+  CHECK(contains(f.assemble({{&f.tint, &f.plain}, {}, "tinting"}).fragment, "vec4(vec3(0.75), 1.0)"));
 }
 
 TEST_CASE("a missing include is named", "[surface_shader]") {

@@ -1,6 +1,4 @@
-#include <tuple>
-
-#include "render/feature.hpp"
+#include "render/binder.hpp"
 
 namespace atelier {
 
@@ -9,11 +7,6 @@ void Binder::texture(const std::string& sampler, GLuint texture, GLenum target) 
   gl_.ActiveTexture(GLenum(GL_TEXTURE0 + units_));
   gl_.BindTexture(target, texture);
   uniforms_.set(sampler, units_++);
-}
-
-bool PassSources::operator<(const PassSources& other) const {
-  return std::tie(vertex, geometry, fragment, structure) <
-         std::tie(other.vertex, other.geometry, other.fragment, other.structure);
 }
 
 }  // namespace atelier

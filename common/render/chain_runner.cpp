@@ -1,0 +1,152 @@
+#include "render/chain_runner.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "gl/state.hpp"
+#include "gl/write_colour.hpp"
+#include "image/colour.hpp"
+
+namespace atelier {
+
+namespace {
+
+bool on_cpu(const ChainPass& pass) {
+  return pass.on_floats || pass.on_bytes;
+}
+
+ByteImage bytes_of(const Image& image) {
+  ByteImage bytes{image.width(), image.height(), {}};
+  bytes.rgba.reserve(image.pixels().size() * 4);
+  const auto code = [](float alpha) { return std::uint8_t(std::clamp(alpha, 0.0f, 1.0f) * 255 + 0.5f); };
+  for (const Rgba& p : image.pixels())
+    bytes.rgba.insert(bytes.rgba.end(), {std::uint8_t(srgb_code(p.r)), std::uint8_t(srgb_code(p.g)),
+                                         std::uint8_t(srgb_code(p.b)), code(p.a)});
+  return bytes;
+}
+
+Image image_of(const ByteImage& bytes, const ChainPass& pass) {
+  if (bytes.rgba.size() != std::size_t(bytes.width) * std::size_t(bytes.height) * 4)
+    throw Error(fmt::format("pass '{}': {} bytes for {}x{} pixels of 4", pass.name, bytes.rgba.size(), bytes.width,
+                            bytes.height));
+  Image image(bytes.width, bytes.height);
+  const auto linear = [](std::uint8_t code) { return float(srgb_decode(double(code) / 255)); };
+  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
+    const std::uint8_t* p = &bytes.rgba[4 * i];
+    image.pixels()[i] = {linear(p[0]), linear(p[1]), linear(p[2]), float(p[3]) / 255};
+  }
+  return image;
+}
+
+/// A pass that changes nothing: what a picture of the CPU reaches the target by.
+ChainPass copy_pass() {
+  return {.name = "copy", .code = {"chain_copy.glsl", "copied"}};
+}
+
+}  // namespace
+
+bool has_pass(const std::vector<ChainPass>& passes, const std::string& output) {
+  return std::ranges::any_of(passes, [&](const ChainPass& pass) { return pass.name == output; });
+}
+
+std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::string& output) {
+  const auto last = std::ranges::find(passes, output, &ChainPass::name);
+  if (last == passes.end() && output != "colour") return {};
+  if (last != passes.end()) passes.erase(last + 1, passes.end());
+  std::erase_if(passes, &ChainPass::identity);
+  return passes;
+}
+
+/// What the passes read and draw into.
+struct ChainRunner::Pictures {
+  std::shared_ptr<const Target> scene;
+  std::array<std::shared_ptr<const Target>, 2> turns;
+  std::map<std::string, std::shared_ptr<const Target>> inputs;  ///< by the name of the output
+};
+
+ChainRunner::Pictures ChainRunner::draw_scene(const std::vector<ChainPass>& passes, ColourFormat format,
+                                              const Target& target, const DrawOutput& draw) {
+  TargetSpec spec = target.spec();
+  spec.colour = format;
+  Pictures pictures{.scene = pool_.take(spec)};
+  draw("colour", *pictures.scene);
+  spec.depth = DepthFormat::none;
+  spec.samples = 1;
+  for (auto& turn : pictures.turns) turn = pool_.take(spec);
+  spec.colour = ColourFormat::rgba32f;
+  spec.depth = target.spec().depth;
+  for (const ChainPass& pass : passes)
+    for (const std::string& output : pass.reads)
+      if (!pictures.inputs.contains(output)) {
+        pictures.inputs[output] = pool_.take(spec);
+        draw(output, *pictures.inputs[output]);
+      }
+  return pictures;
+}
+
+int ChainRunner::next_target(int source) const {
+  const int next = functions_.next_target(source);
+  if (next != 0 && next != 1)
+    throw Error(fmt::format("next_target({}) is {}: a chain has the targets 0 and 1", source, next));
+  return next;
+}
+
+void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, const Target& source,
+                             const Target& target) {
+  Program& program = programs_.chain_pass({pass.code, pass.reads, pass.structure, functions_.glsl});
+  reset_state(gl_);
+  target.bind(gl_);
+  gl_.UseProgram(program.program.id());
+  Binder binder(gl_, program.uniforms);
+  binder.texture("u_colour", source.colour_texture());
+  binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
+  for (const std::string& output : pass.reads)
+    binder.texture("u_" + output, pictures.inputs.at(output)->colour_texture());
+  if (pass.bind) pass.bind(binder);
+  functions_.draw_full_screen(gl_);
+  check_gl_error(gl_, ("running the pass " + pass.name).c_str());
+}
+
+void ChainRunner::run_on_cpu(const ChainPass& pass, const Pictures& pictures, const Target& source,
+                             const Target& target) {
+  PassInputs inputs;
+  for (const std::string& output : pass.reads) inputs.emplace(output, pictures.inputs.at(output)->read_colour(gl_));
+  Image picture = source.read_colour(gl_);
+  const glm::ivec2 size(picture.width(), picture.height());
+  if (pass.on_bytes) {
+    ByteImage bytes = bytes_of(picture);
+    pass.on_bytes(bytes, inputs);
+    picture = image_of(bytes, pass);
+  } else {
+    pass.on_floats(picture, inputs);
+  }
+  if (glm::ivec2(picture.width(), picture.height()) != size)
+    throw Error(fmt::format("pass '{}' has made {}x{} pixels of {}x{}: a pass keeps the size", pass.name,
+                            picture.width(), picture.height(), size.x, size.y));
+  write_colour(gl_, target, picture);
+}
+
+void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, const Target& target,
+                      const DrawOutput& draw) {
+  if (!functions_.next_target || !functions_.draw_full_screen || functions_.glsl.empty())
+    throw Error("a chain of passes needs the functions of step 08: this program hands none to the renderer");
+  std::vector<ChainPass> passes = given;
+  if (on_cpu(passes.back())) passes.push_back(copy_pass());
+  const Pictures pictures = draw_scene(passes, format, target, draw);
+  const Target* source = pictures.scene.get();
+  int at = -1;
+  for (const ChainPass& pass : passes) {
+    const bool last = &pass == &passes.back();
+    if (!last) at = next_target(at);
+    const Target& next = last ? target : *pictures.turns[std::size_t(at)];
+    if (on_cpu(pass))
+      run_on_cpu(pass, pictures, *source, next);
+    else
+      run_shader(pass, pictures, *source, next);
+    source = &next;
+  }
+}
+
+}  // namespace atelier

@@ -1,0 +1,73 @@
+// The programs that scenes are drawn with: built when first asked for, kept, and built anew when their files change.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "case/implementations.hpp"
+#include "gl/shader.hpp"
+#include "render/chain.hpp"
+#include "render/scene_painter.hpp"
+#include "render/surface_shader.hpp"
+
+namespace atelier {
+
+struct Program {
+  GlProgram program;
+  Uniforms uniforms;
+  std::map<std::filesystem::path, std::filesystem::file_time_type> files;  ///< when each was last changed
+};
+
+/// What tells the programs of a chain's passes from each other.
+struct ChainKey {
+  SlotCode code;
+  std::vector<std::string> reads;
+  Defines structure;
+  std::string full_screen_glsl;  ///< ChainFunctions::glsl
+  bool operator<(const ChainKey& other) const;
+};
+
+class Programs {
+ public:
+  /// Shaders are found along `implementations`, then among the renderer's own. `transforms_glsl` is the include behind
+  /// TransformFunctions::glsl.
+  Programs(Gl& gl, Implementations implementations, std::string transforms_glsl);
+
+  /// A program and the key that it is kept under, which stays where it is. Each throws ShaderError with the author's
+  /// file and line.
+  struct Surface {
+    const SurfaceKey& key;
+    Program& program;
+  };
+  Surface surface(const SurfaceKey& key);
+  Program& pass(const PassSources& pass);
+  Program& chain_pass(const ChainKey& key);
+
+  struct Reloaded {
+    bool any = false;     ///< a program has changed
+    bool passes = false;  ///< one that features draw with for themselves
+    std::string words;    ///< the driver's, where it refused one: the old one stays
+  };
+  /// Builds anew every program one of whose files has changed.
+  Reloaded reload_changed();
+
+ private:
+  std::filesystem::path find(const std::string& name) const;
+  Program build(const SurfaceKey& key) const;
+  Program build(const PassSources& pass) const;
+  Program build(const ChainKey& key) const;
+  template <class Key>
+  typename std::map<Key, Program>::iterator kept(std::map<Key, Program>& programs, const Key& key) const;
+  template <class Key>
+  bool reload_changed(std::map<Key, Program>& programs, std::string& words) const;
+
+  Gl& gl_;
+  Implementations implementations_;
+  std::string transforms_glsl_;
+  std::map<SurfaceKey, Program> surfaces_;
+  std::map<PassSources, Program> passes_;
+  std::map<ChainKey, Program> chain_;
+};
+
+}  // namespace atelier

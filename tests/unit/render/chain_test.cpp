@@ -1,0 +1,202 @@
+// What happens to a picture after the scene: passes of shaders and of the CPU, what they read, and what is left out.
+#include "catch.hpp"
+#include "image/colour.hpp"
+#include "pieces.hpp"
+
+namespace {
+
+using namespace atelier;
+using namespace atelier::test;
+
+/// What a step teaches of chains: two targets by turns, one triangle over everything.
+ChainFunctions chain_functions(Shaders& shaders) {
+  shaders.write("00-fake/full_screen.glsl",
+                "vec2 full_screen_corner(int i) { return vec2(i == 1 ? 3.0 : -1.0, i == 2 ? 3.0 : -1.0); }\n");
+  return {.next_target = [](int source) { return source == 0 ? 1 : 0; },
+          .draw_full_screen =
+              [](Gl& gl) {
+                const GlVertexArray nothing(gl);
+                gl.BindVertexArray(nothing.id());
+                gl.DrawArrays(GL_TRIANGLES, 0, 3);
+                gl.BindVertexArray(0);
+              },
+          .glsl = "00-fake/full_screen.glsl"};
+}
+
+/// A pass whose GLSL is `expression` over `c`, the colour so far.
+ChainPass shader_pass(Shaders& shaders, const std::string& name, const std::string& expression) {
+  const std::string file = "00-fake/" + name + ".glsl";
+  shaders.write(
+      file, "vec4 " + name + "(vec2 texcoord) { vec4 c = texture(u_colour, texcoord); return " + expression + "; }\n");
+  return {.name = name, .code = {file, name}};
+}
+
+struct ChainStage : Stage {
+  Piece* piece = nullptr;
+  ChainStage() {
+    auto made = std::make_unique<Piece>();
+    piece = made.get();
+    open(chain_functions(shaders), std::move(made));
+  }
+  Rgba middle(const std::string& output = "colour") {
+    const Scene scene = triangle_scene();
+    return draw(scene, {.camera = scene.camera, .output = output}).at(10, 20);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a chain of two passes runs in order, and each is an output", "[chain]") {
+  ChainStage stage;
+  stage.piece->chain = {shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)"),
+                        shader_pass(stage.shaders, "raised", "vec4(c.rgb + vec3(0.25, 0.0, 0.0), 1.0)")};
+  CHECK(stage.middle() == Rgba{0.5f, 0.25f, 0.25f, 1});
+  CHECK(stage.middle("raised") == stage.middle());
+  CHECK(stage.middle("halved") == Rgba{0.25f, 0.25f, 0.25f, 1});
+  CHECK(stage.middle("normal").b == 1);  // an intermediate of the scene goes through no chain
+}
+
+TEST_CASE("a chain keeps every pixel where it is", "[chain]") {
+  ChainStage stage;
+  const Scene scene = triangle_scene();
+  stage.piece->chain = {shader_pass(stage.shaders, "same", "c"), shader_pass(stage.shaders, "again", "c"),
+                        shader_pass(stage.shaders, "still", "c")};
+  const auto chained = stage.piece->chain;
+  for (const glm::ivec2 size : {glm::ivec2(32, 32), glm::ivec2(33, 7), glm::ivec2(1, 1)}) {
+    stage.spec.width = size.x, stage.spec.height = size.y;
+    stage.piece->chain = {};
+    const Image plain = stage.draw(scene);
+    stage.piece->chain = chained;
+    CHECK(stage.draw(scene) == plain);
+  }
+}
+
+TEST_CASE("passes that change nothing are not run, and a chain of them is none", "[chain]") {
+  ChainStage stage;
+  ChainPass nothing = shader_pass(stage.shaders, "nothing", "vec4(1.0)");
+  nothing.identity = true;
+  const auto passes = [&] {
+    stage.draw(triangle_scene());
+    stage.gl().restart_counts();
+    stage.draw_again({.camera = triangle_scene().camera});
+    return stage.gl().counts().passes;
+  };
+  stage.piece->chain = {nothing};
+  CHECK(stage.middle() == grey);
+  CHECK(stage.middle("nothing") == grey);
+  CHECK(passes() == 1);  // the scene's alone, straight into the picture
+  stage.piece->chain = {nothing, shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)"), nothing};
+  CHECK(stage.middle() == Rgba{0.25f, 0.25f, 0.25f, 1});
+  CHECK(passes() == 2);
+}
+
+TEST_CASE("outputs that a pass reads are drawn for it alone", "[chain]") {
+  ChainStage stage;
+  ChainPass reading = shader_pass(stage.shaders, "reading", "vec4(texture(u_normal, texcoord).rgb, 1.0)");
+  reading.reads = {"normal"};
+  stage.piece->chain = {reading};
+  CHECK(stage.middle().b == 1);
+  stage.gl().restart_counts();
+  stage.draw_again({.camera = triangle_scene().camera});
+  CHECK(stage.gl().counts().passes == 3);  // scene, normals, pass
+  ChainPass both = reading;
+  both.name = "both";
+  stage.piece->chain = {reading, both};
+  stage.draw(triangle_scene());
+  stage.gl().restart_counts();
+  stage.draw_again({.camera = triangle_scene().camera});
+  CHECK(stage.gl().counts().passes == 4);  // the normals once
+}
+
+TEST_CASE("a pass of the CPU works on floats or on bytes", "[chain]") {
+  ChainStage stage;
+  ChainPass floats{.name = "floats", .reads = {"depth"}};
+  floats.on_floats = [](Image& picture, const PassInputs& inputs) {
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (inputs.at("depth").at(x, y).r > 0) picture.at(x, y).r += 2;
+  };
+  ChainPass bytes{.name = "bytes"};
+  bytes.on_bytes = [](ByteImage& picture, const PassInputs&) { picture.rgba[0] = 255; };
+  stage.piece->chain = {floats};
+  const Scene scene = triangle_scene();
+  CHECK(stage.middle() == Rgba{2.5f, 0.5f, 0.5f, 1});
+  CHECK(stage.draw(scene).at(0, 0) == dark_blue);
+  stage.piece->chain = {floats, bytes};
+  const Image picture = stage.draw(scene);
+  CHECK(picture.at(0, 0).r == 1);    // the first byte is the upper left pixel's red
+  CHECK(picture.at(10, 20).r == 1);  // bytes end at 255
+  CHECK(picture.at(10, 20).g ==
+        Approx(0.5).margin(0.0025));  // half a code there: 0.5 / 255 / 0.73 of the curve's slope
+  stage.piece->chain = {bytes, shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)")};
+  CHECK(stage.draw(scene).at(0, 0).r == 0.5f);
+}
+
+TEST_CASE("pictures between passes have the format that is asked for", "[chain]") {
+  ChainStage stage;
+  stage.piece->chain = {shader_pass(stage.shaders, "bright", "vec4(4.0, 0.3, 1.0 / 3.0, 1.0)"),
+                        shader_pass(stage.shaders, "same", "c")};
+  const struct {
+    ColourFormat format;
+    float bright;
+    double error;  ///< of 0.3 and 1/3, relative: none, 2^-12, half a code of sRGB there
+  } rows[] = {{ColourFormat::rgba32f, 4, 1e-7}, {ColourFormat::rgba16f, 4, 0.00025}, {ColourFormat::srgb8, 1, 0.007}};
+  for (const auto& row : rows) {
+    INFO(int(row.format));
+    stage.renderer->configure(Settings(), row.format);
+    const Rgba pixel = stage.middle();
+    CHECK(pixel.r == row.bright);
+    CHECK(pixel.g == Approx(0.3).epsilon(row.error));
+    CHECK(pixel.b == Approx(1.0 / 3).epsilon(row.error));
+  }
+}
+
+TEST_CASE("targets are used again, and freed when a chain has gone", "[chain]") {
+  const auto context = make_headless_context();
+  TargetPool pool(context->gl());
+  const TargetSpec spec{.width = 4, .height = 4};
+  {
+    const auto one = pool.take(spec), two = pool.take(spec);
+    CHECK(one != two);
+    CHECK(pool.size() == 2);
+  }
+  CHECK(pool.take(spec));
+  CHECK(pool.size() == 2);
+  pool.end_frame();
+  const auto kept = pool.take(spec);
+  pool.end_frame();
+  pool.end_frame();
+  CHECK(pool.size() == 1);  // one was not used in a whole frame; the other is in somebody's hands
+
+  ChainStage stage;
+  stage.piece->chain = {shader_pass(stage.shaders, "halved", "c * 0.5"), shader_pass(stage.shaders, "same", "c")};
+  const View view{.camera = triangle_scene().camera};
+  stage.draw(triangle_scene());
+  const Target target(stage.gl(), stage.spec);
+  stage.gl().restart_counts();
+  stage.renderer->render(view, target);
+  CHECK(stage.gl().counts().allocated_bytes == 0);
+}
+
+TEST_CASE("what a student's functions of a chain answer is checked", "[chain]") {
+  ChainStage stage;
+  const Scene scene = triangle_scene();
+  const std::vector<ChainPass> two = {shader_pass(stage.shaders, "same", "c"),
+                                      shader_pass(stage.shaders, "again", "c")};
+  const auto refused = [&](ChainFunctions functions) {
+    auto piece = std::make_unique<Piece>();
+    piece->chain = two;
+    stage.open(functions, std::move(piece));
+    return error_of([&] { stage.draw(scene); });
+  };
+  CHECK(mentions(refused({}), {"chain", "step 08"}));
+  ChainFunctions third = chain_functions(stage.shaders);
+  third.next_target = [](int) { return 2; };
+  CHECK(mentions(refused(third), {"next_target(-1) is 2", "0 and 1"}));
+  auto piece = std::make_unique<Piece>();
+  ChainPass grows{.name = "grows"};
+  grows.on_floats = [](Image& picture, const PassInputs&) { picture = Image(5, 5); };
+  piece->chain = {grows};
+  stage.open(chain_functions(stage.shaders), std::move(piece));
+  CHECK(mentions(error_of([&] { stage.draw(scene); }), {"grows", "5x5", "32x32"}));
+}

@@ -1,0 +1,274 @@
+// A view inside a view, marked in the stencil buffer: a window in a wall through which the scene is seen from
+// elsewhere.
+#include "catch.hpp"
+#include "pieces.hpp"
+
+namespace {
+
+using namespace atelier;
+using namespace atelier::test;
+
+/// What a step teaches, from a library's point of view: the usual two stencil states.
+NestingFunctions nesting() {
+  return {.begin_mark =
+              [](Gl& gl, int level) {
+                gl.Enable(GL_STENCIL_TEST);
+                gl.StencilFunc(GL_EQUAL, level, 0xff);
+                gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+                gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+                gl.DepthMask(GL_FALSE);
+              },
+          .begin_restore =
+              [](Gl& gl, int level) {
+                gl.Enable(GL_STENCIL_TEST);
+                gl.StencilFunc(GL_EQUAL, level + 1, 0xff);
+                gl.StencilOp(GL_KEEP, GL_KEEP, GL_DECR);
+                gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+                gl.DepthFunc(GL_ALWAYS);
+              }};
+}
+
+/// Shows each node in the colour of its material.
+struct Flat : Piece {
+  void bind_material(Binder& binder, const Scene&, const Material& material) override {
+    binder.set("u_colour", material.diffuse);
+  }
+};
+
+/// The node called "window" shows what a camera moved by `shift` sees, `depth` views deep.
+struct Window : Piece {
+  glm::vec3 shift{0};
+  int deepest = 1;
+  std::optional<glm::dvec4> clip;
+  bool mirror = false;
+  NestingFunctions functions = nesting();
+  int window = 0;  ///< its node
+
+  bool needs_stencil(const Scene&) const override { return true; }
+  bool hides(const Scene&, const View&, const Node& node) const override { return node.name == "window"; }
+  void draw_inside(Gl&, const Scene&, const Viewpoint& around, const Target& target, ScenePainter& painter) override {
+    if (nesting_depth(around.view) >= deepest) return;
+    View inside = around.view;
+    inside.world_to_view = glm::translate(around.world_to_view, shift);
+    if (mirror) inside.world_to_view = glm::scale(*inside.world_to_view, glm::vec3(-1, 1, 1));
+    inside.mirrored = around.view.mirrored != mirror;
+    inside.clip_plane = clip;
+    for (int i = 0; i < int(painter.items().size()); ++i)
+      if (painter.items()[std::size_t(i)].node == window)
+        painter.draw_view_inside(inside, around, target, i, functions);
+  }
+};
+
+Mesh square(float half) {
+  const auto corner = [&](float x, float y) { return Vertex{{x, y, 0}, {0, 0, 1}, {0, 0}}; };
+  return {.name = "square",
+          .vertices = {corner(-half, -half), corner(half, -half), corner(half, half), corner(-half, half)},
+          .indices = {0, 1, 2, 0, 2, 3}};
+}
+
+constexpr glm::vec3 red{1, 0, 0}, green{0, 1, 0};
+
+/// A window, 1 m to each side, at the origin; a red square far to the right, out of sight, that the window's view shows
+/// where it is shifted by 10 m; the eye 3 m before it, and the picture 3 m high at the window.
+Scene window_scene() {
+  Scene scene{.name = "window"};
+  scene.meshes = {square(1), square(4)};
+  scene.materials = {Material{.name = "none"}, Material{.name = "red", .diffuse = red},
+                     Material{.name = "green", .diffuse = green}};
+  scene.nodes = {Node{.name = "window", .mesh = 0},
+                 Node{.name = "elsewhere", .translation = {10, 0, -1}, .mesh = 1, .material = 1}};
+  scene.camera = {.eye = {0, 0, 3}, .fov_y = 2 * std::atan(0.5f), .near = 0.5f, .far = 50};
+  scene.background = {0, 0, 0.25f};
+  return scene;
+}
+
+struct WindowStage : Stage {
+  Window* window = nullptr;
+  WindowStage() {
+    auto flat = std::make_unique<Flat>();
+    shaders.write("00-fake/flat.glsl", "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+    flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
+    auto made = std::make_unique<Window>();
+    made->shift = {-10, 0, 0};
+    window = made.get();
+    open({}, std::move(flat), std::move(made));
+  }
+};
+
+bool is(const Rgba& pixel, const glm::vec3& colour) {
+  return pixel.r == colour.r && pixel.g == colour.g && pixel.b == colour.b;
+}
+const glm::vec3 behind{0, 0, 0.25f};
+
+}  // namespace
+
+TEST_CASE("a window shows what is elsewhere, and only there", "[nested]") {
+  WindowStage stage;
+  const Image picture = stage.draw(window_scene());
+  CHECK(is(picture.at(16, 16), red));
+  CHECK(is(picture.at(2, 16), behind));
+  CHECK(is(picture.at(16, 2), behind));
+  // 2 m of 3 m: 21.33 of 32 pixels either way; their middles are inside from pixel 5 to 26.
+  int inside = 0;
+  for (const Rgba& pixel : picture.pixels()) inside += is(pixel, red);
+  CHECK(inside == 22 * 22);
+  CHECK(stage.renderer->needs_stencil());
+}
+
+TEST_CASE("what stands before a window covers it, and the window covers what stands behind it", "[nested]") {
+  WindowStage stage;
+  Scene scene = window_scene();
+  scene.meshes.push_back(square(0.25f));
+  scene.nodes.push_back({.name = "before", .translation = {-0.5, 0, 0.5}, .mesh = 2, .material = 2});
+  scene.nodes.push_back({.name = "behind", .translation = {0.5, 0, -0.5}, .mesh = 2, .material = 2});
+  const Image picture = stage.draw(scene);
+  CHECK(is(picture.at(9, 16), green));
+  CHECK(is(picture.at(21, 16), red));
+}
+
+TEST_CASE("a window's depth stands in the picture behind it, for what is drawn later", "[nested]") {
+  // A second feature draws a square behind the first window's plane, after it: nothing of it may be seen.
+  struct Later : Piece {
+    float z = -0.25f;
+    void draw_inside(Gl& gl, const Scene&, const Viewpoint& around, const Target&, ScenePainter& painter) override {
+      if (around.view.parent) return;
+      const PassSources pass{.name = "later",
+                             .vertex =
+                                 "uniform float u_z;\nvoid main() { gl_Position = u_projection * u_view * "
+                                 "vec4(a_position.xy * 0.25, u_z, 1.0); }\n",
+                             .fragment = "out vec4 o; void main() { o = vec4(0.0, 1.0, 0.0, 1.0); }\n"};
+      const int first = 0;
+      gl.Enable(GL_DEPTH_TEST);
+      painter.paint(pass, std::span(&first, 1), [&](Binder& binder) {
+        binder.set("u_view", around.world_to_view);
+        binder.set("u_projection", around.projection);
+        binder.set("u_z", z);
+      });
+    }
+  };
+  for (const float z : {-0.25f, 0.25f}) {
+    Stage stage;
+    auto flat = std::make_unique<Flat>();
+    stage.shaders.write("00-fake/flat.glsl",
+                        "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+    flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
+    auto window = std::make_unique<Window>();
+    window->shift = {-10, 0, 0};
+    auto later = std::make_unique<Later>();
+    later->z = z;
+    stage.open({}, std::move(flat), std::move(window), std::move(later));
+    CHECK(is(stage.draw(window_scene()).at(16, 16), z < 0 ? red : green));
+  }
+}
+
+TEST_CASE("a window in a window is seen as deep as its feature goes", "[nested]") {
+  // Each view stands 0.25 m farther right, and sees the window again: one edge for each view.
+  const auto edges = [](int deepest) {
+    WindowStage stage;
+    stage.window->shift = {-0.25f, 0, 0};
+    stage.window->deepest = deepest;
+    Scene scene = window_scene();
+    scene.nodes[1].translation = {0, 0, -2};
+    scene.nodes[1].scale = {4, 4, 1};
+    scene.nodes.push_back(
+        {.name = "left", .translation = {-1.5, 0, -0.01}, .scale = {0.5, 1, 1}, .mesh = 0, .material = 2});
+    const Image picture = stage.draw(scene);
+    int green_pixels = 0;
+    for (int x = 0; x < 32; ++x) green_pixels += is(picture.at(x, 16), green);
+    return green_pixels;
+  };
+  // A green wall stands 1 m to the left of the window, from -2 to -1 m: 5 pixels of the picture. Each further view
+  // shows another quarter of a metre of it, to the left of its own window.
+  const int one = edges(1), two = edges(2);
+  CHECK(edges(0) == 5);
+  CHECK(one > edges(0));
+  CHECK(two >= one);
+}
+
+TEST_CASE("a clip plane leaves out what lies before a window's view", "[nested]") {
+  const auto middle = [](std::optional<glm::dvec4> clip, bool relative) {
+    WindowStage stage;
+    stage.window->clip = clip;
+    Scene scene = window_scene();
+    scene.nodes.push_back({.name = "in the way", .translation = {10, 0, 1}, .mesh = 0, .material = 2});
+    View view{.camera = scene.camera, .camera_relative = relative};
+    return stage.draw(scene, view).at(16, 16);
+  };
+  const glm::dvec4 behind_the_plane(0, 0, -1, 0);  // z <= 0 is kept
+  CHECK(is(middle({}, false), green));
+  CHECK(is(middle(behind_the_plane, false), red));
+  CHECK(is(middle(behind_the_plane, true), red));  // the plane is one of the world, wherever that is moved
+  CHECK(is(middle(glm::dvec4(0, 0, -1, 2), false), green));
+}
+
+TEST_CASE("a mirrored view turns front faces round", "[nested]") {
+  const auto middle = [](bool mirror) {
+    WindowStage stage;
+    stage.window->mirror = mirror;
+    stage.window->shift = mirror ? glm::vec3(10, 0, 0) : glm::vec3(-10, 0, 0);
+    return stage.draw(window_scene()).at(16, 16);
+  };
+  CHECK(is(middle(false), red));
+  CHECK(is(middle(true), red));
+}
+
+TEST_CASE("a scissor bounds a view inside another", "[nested]") {
+  struct Cut : Window {
+    void draw_inside(Gl& gl, const Scene& scene, const Viewpoint& around, const Target& target,
+                     ScenePainter& painter) override {
+      if (around.view.parent) return;
+      View cut = around.view;
+      cut.scissor = glm::ivec4(0, 0, 16, 32);
+      Window::draw_inside(gl, scene, {cut, around.world_to_view, around.projection, around.eye, around.origin}, target,
+                          painter);
+    }
+  };
+  Stage stage;
+  auto flat = std::make_unique<Flat>();
+  stage.shaders.write("00-fake/flat.glsl",
+                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
+  auto window = std::make_unique<Cut>();
+  window->shift = {-10, 0, 0};
+  stage.open({}, std::move(flat), std::move(window));
+  const Image picture = stage.draw(window_scene());
+  CHECK(is(picture.at(15, 16), red));
+  CHECK(is(picture.at(16, 16), behind));
+}
+
+TEST_CASE("a view inside another needs a stencil buffer, and 8 bits count to 255", "[nested]") {
+  WindowStage stage;
+  stage.spec.depth = DepthFormat::depth24;
+  CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"stencil", "depth24"}));
+  stage.spec.depth = DepthFormat::depth24_stencil8;
+  stage.window->deepest = 300;
+  CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"255", "8 bits"}));
+}
+
+TEST_CASE("a feature draws whole views into targets of its own before the frame", "[nested]") {
+  struct Preview : Piece {
+    std::optional<Target> target;
+    int asked = 0;
+    void draw_views(Gl& gl, const Scene& scene, const Viewpoint&, ScenePainter& painter) override {
+      ++asked;
+      if (!target) target.emplace(gl, TargetSpec{.width = 8, .height = 8});
+      View view{.camera = scene.camera};
+      view.camera.eye.x = view.camera.target.x = 10;
+      painter.draw_view(view, *target);
+    }
+  };
+  Stage stage;
+  auto flat = std::make_unique<Flat>();
+  stage.shaders.write("00-fake/flat.glsl",
+                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
+  auto preview = std::make_unique<Preview>();
+  const Preview& seen = *preview;
+  stage.open({}, std::move(flat), std::move(preview));
+  Scene scene = window_scene();
+  scene.nodes[0].material = 2;
+  const Image picture = stage.draw(scene);
+  CHECK(is(picture.at(16, 16), green));
+  CHECK(is(seen.target->read_colour(stage.gl()).at(4, 4), red));
+  CHECK(seen.asked == 1);
+}
