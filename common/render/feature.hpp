@@ -68,7 +68,7 @@ class Feature {
   virtual std::optional<glm::vec3> background(const Scene&, const View&) const { return {}; }
 
   /// Fills the whole target with an output that is no picture of the scene's surfaces, and says so by returning true: a
-  /// shadow map as it is stored. Called with the target bound.
+  /// shadow map as it is stored. Called with the target bound, the last feature first.
   virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
   /// Whether a node is left out of a view, its surface being the feature's to draw: the opening of a portal.

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "gl/state.hpp"
 #include "render/cull.hpp"
 
@@ -277,9 +279,8 @@ void Renderer::draw_nodes(const Viewpoint& viewpoint) {
 }
 
 bool Renderer::drawn_instead(const View& view, const Target& target) {
-  for (const auto& feature : features_)
-    if (feature->draw_instead(gl_, view, target)) return true;
-  return false;
+  return std::any_of(features_.rbegin(), features_.rend(),
+                     [&](const auto& feature) { return feature->draw_instead(gl_, view, target); });
 }
 
 void Renderer::draw_scene(const View& view, const Target& target) {
