@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "gl/shader.hpp"
+#include "gl/state.hpp"
 #include "gl/target.hpp"
 
 namespace atelier {
@@ -76,9 +77,8 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   const GLuint program = found->second.id();
 
   const Target target(gl_, {.width = 1, .height = 1, .colour = ColourFormat::rgba32f, .depth = DepthFormat::none});
+  reset_state(gl_);  // but not the texture that a sampler of the probe's may read
   target.bind(gl_);
-  gl_.Disable(GL_DEPTH_TEST);
-  gl_.Disable(GL_CULL_FACE);
   gl_.UseProgram(program);
   for (const auto& [name, values] : arguments.values)
     if (const GLint at = gl_.GetUniformLocation(program, name.c_str()); at >= 0) set_uniform(gl_, at, values);

@@ -1,0 +1,9 @@
+# Features of steps beside each other: their given parts, and the solutions of what students write.
+foreach(step IN ITEMS 02-blinn-phong 03-shadow-mapping 04-point-shadows)
+  target_sources(unit-compose PRIVATE $<TARGET_OBJECTS:shared-${step}>)
+endforeach()
+file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solutions/0[1-4]-*/*.cpp)
+target_sources(unit-compose PRIVATE ${solutions})
+set_source_files_properties(${solutions} PROPERTIES
+  SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-Wno-unused-parameter")
+target_include_directories(unit-compose PRIVATE ${PROJECT_SOURCE_DIR}/steps)
