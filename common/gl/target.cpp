@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "gl/query.hpp"
 #include "gl/texel.hpp"
+#include "image/colour.hpp"
 
 namespace atelier {
 namespace {
@@ -19,9 +20,10 @@ struct FormatFacts {
   GLenum internal, format, type, attachment;
 };
 
-constexpr std::array<FormatFacts, 4> colour_facts = {{
+constexpr std::array<FormatFacts, 5> colour_facts = {{
     {"none", GL_NONE, GL_NONE, GL_NONE, GL_NONE},
     {"rgba8", GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_COLOR_ATTACHMENT0},
+    {"srgb8", GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, GL_COLOR_ATTACHMENT0},
     {"rgba16f", GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, GL_COLOR_ATTACHMENT0},
     {"rgba32f", GL_RGBA32F, GL_RGBA, GL_FLOAT, GL_COLOR_ATTACHMENT0},
 }};
@@ -43,16 +45,18 @@ const FormatFacts& facts(DepthFormat format) {
   return depth_facts[std::size_t(format)];
 }
 
-/// Remembers which texture and framebuffers are bound, and binds them again at the end of the scope.
+/// Remembers what is bound, and binds it again at the end of the scope.
 class KeptBindings {
  public:
   explicit KeptBindings(Gl& gl)
       : gl_(gl),
         texture_(integer_of(gl, GL_TEXTURE_BINDING_2D)),
+        renderbuffer_(integer_of(gl, GL_RENDERBUFFER_BINDING)),
         draw_(integer_of(gl, GL_DRAW_FRAMEBUFFER_BINDING)),
         read_(integer_of(gl, GL_READ_FRAMEBUFFER_BINDING)) {}
   ~KeptBindings() {
     gl_.BindTexture(GL_TEXTURE_2D, GLuint(texture_));
+    gl_.BindRenderbuffer(GL_RENDERBUFFER, GLuint(renderbuffer_));
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
     gl_.BindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_));
   }
@@ -61,12 +65,38 @@ class KeptBindings {
 
  private:
   Gl& gl_;
-  GLint texture_, draw_, read_;
+  GLint texture_, renderbuffer_, draw_, read_;
+};
+
+void switch_on(Gl& gl, GLenum capability, bool on) {
+  if (on)
+    gl.Enable(capability);
+  else
+    gl.Disable(capability);
+}
+
+/// Switches one of glEnable's capabilities, and back at the end of the scope.
+class Switched {
+ public:
+  Switched(Gl& gl, GLenum capability, bool on) : gl_(gl), capability_(capability), was_(gl.IsEnabled(capability)) {
+    switch_on(gl, capability, on);
+  }
+  ~Switched() { switch_on(gl_, capability_, was_); }
+  Switched(const Switched&) = delete;
+  Switched& operator=(const Switched&) = delete;
+
+ private:
+  Gl& gl_;
+  GLenum capability_;
+  bool was_;
 };
 
 /// Throws where the driver cannot have such a target at all: asked first, since what drivers do beyond differs.
 void check(Gl& gl, const TargetSpec& spec) {
-  const GLint largest = std::min(integer_of(gl, GL_MAX_TEXTURE_SIZE), GLint(Image::max_side));
+  const int most = most_samples(gl);
+  if (spec.samples < 1 || spec.samples > most)
+    throw Error(fmt::format("target {}: samples must be 1..{} on this driver", to_string(spec), most));
+  const int largest = longest_side(gl, spec.samples);
   if (spec.width < 1 || spec.height < 1 || spec.width > largest || spec.height > largest)
     throw Error(fmt::format("target {}: each side must be 1..{} pixels on this driver", to_string(spec), largest));
   if (spec.colour == ColourFormat::none && spec.depth == DepthFormat::none)
@@ -85,17 +115,43 @@ GlTexture make_texture(Gl& gl, const FormatFacts& format, const TargetSpec& spec
   return texture;
 }
 
+GlRenderbuffer make_samples(Gl& gl, const FormatFacts& format, const TargetSpec& spec) {
+  GlRenderbuffer samples(gl);
+  gl.BindRenderbuffer(GL_RENDERBUFFER, samples.id());
+  gl.RenderbufferStorageMultisample(GL_RENDERBUFFER, spec.samples, format.internal, spec.width, spec.height);
+  return samples;
+}
+
 const char* incompleteness(GLenum status) {
   switch (status) {
     case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
       return "an attachment cannot be drawn to";
     case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
       return "an attachment is missing";
+    case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+      return "the driver gives colour and depth different numbers of samples";
     case GL_FRAMEBUFFER_UNSUPPORTED:
       return "the driver does not support these formats together";
     default:
       return "the driver gives no reason";
   }
+}
+
+/// A framebuffer with what `attach` attaches to it, once it is bound. Throws where the driver refuses it.
+template <class Attach>
+GlFramebuffer make_framebuffer(Gl& gl, const TargetSpec& spec, Attach attach) {
+  GlFramebuffer framebuffer(gl);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  if (spec.colour == ColourFormat::none) {
+    gl.DrawBuffer(GL_NONE);
+    gl.ReadBuffer(GL_NONE);
+  }
+  attach();
+  check_gl_error(gl, ("making a target of " + to_string(spec)).c_str());
+  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
+  if (status != GL_FRAMEBUFFER_COMPLETE)
+    throw Error(fmt::format("target {}: {} (0x{:04x})", to_string(spec), incompleteness(status), status));
+  return framebuffer;
 }
 
 /// Reads all pixels of the bound framebuffer, bottom row first, as OpenGL has them. Rows of floats are multiples of
@@ -105,52 +161,88 @@ void read_pixels(Gl& gl, const TargetSpec& spec, GLenum format, void* destinatio
   gl.ReadPixels(0, 0, spec.width, spec.height, format, GL_FLOAT, destination);
 }
 
+/// From sRGB codes, as glReadPixels hands them over (a 255th a step), to the light that they stand for.
+void decode(Image& image) {
+  const auto linear = [](float code) { return linear_of_code(std::uint8_t(code * 255 + 0.5f)); };
+  for (Rgba& p : image.pixels()) p = {linear(p.r), linear(p.g), linear(p.b), p.a};
+}
+
 }  // namespace
 
 std::string to_string(const TargetSpec& spec) {
-  return fmt::format("{}x{}, colour {}, depth {}", spec.width, spec.height, facts(spec.colour).name,
-                     facts(spec.depth).name);
+  return fmt::format("{}x{}, colour {}, depth {}{}", spec.width, spec.height, facts(spec.colour).name,
+                     facts(spec.depth).name, spec.samples == 1 ? "" : fmt::format(", {} samples", spec.samples));
 }
 
 std::size_t bytes(const TargetSpec& spec) {
   std::int64_t texel = 0;
   if (spec.colour != ColourFormat::none) texel += texel_bytes(facts(spec.colour).internal);
   if (spec.depth != DepthFormat::none) texel += texel_bytes(facts(spec.depth).internal);
-  return std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(texel);
+  const std::int64_t stored = spec.samples > 1 ? spec.samples + 1 : 1;
+  return std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(texel * stored);
+}
+
+int longest_side(const Gl& gl, int samples) {
+  const int longest = std::min(integer_of(gl, GL_MAX_TEXTURE_SIZE), Image::max_side);
+  return samples > 1 ? std::min(longest, integer_of(gl, GL_MAX_RENDERBUFFER_SIZE)) : longest;
+}
+
+int most_samples(const Gl& gl) {
+  return std::max(integer_of(gl, GL_MAX_SAMPLES), 1);
 }
 
 Target::Target(Gl& gl, const TargetSpec& spec) : spec_(spec) {
   check(gl, spec);
   check_gl_error(gl, "something before a target is made");
   const KeptBindings kept(gl);
-  framebuffer_ = GlFramebuffer(gl);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  if (spec.colour != ColourFormat::none) {
-    colour_ = make_texture(gl, facts(spec.colour), spec);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, facts(spec.colour).attachment, GL_TEXTURE_2D, colour_.id(), 0);
-  } else {
-    gl.DrawBuffer(GL_NONE);
-    gl.ReadBuffer(GL_NONE);
-  }
-  if (spec.depth != DepthFormat::none) {
-    depth_ = make_texture(gl, facts(spec.depth), spec);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, facts(spec.depth).attachment, GL_TEXTURE_2D, depth_.id(), 0);
-  }
-  check_gl_error(gl, ("making a target of " + to_string(spec)).c_str());
-  const GLenum status = gl.CheckFramebufferStatus(GL_FRAMEBUFFER);
-  if (status != GL_FRAMEBUFFER_COMPLETE)
-    throw Error(fmt::format("target {}: {} (0x{:04x})", to_string(spec), incompleteness(status), status));
+  const auto attach_texture = [&](const FormatFacts& format, GlTexture& texture) {
+    texture = make_texture(gl, format, spec);
+    gl.FramebufferTexture2D(GL_FRAMEBUFFER, format.attachment, GL_TEXTURE_2D, texture.id(), 0);
+  };
+  framebuffer_ = make_framebuffer(gl, spec, [&] {
+    if (spec.colour != ColourFormat::none) attach_texture(facts(spec.colour), colour_);
+    if (spec.depth != DepthFormat::none) attach_texture(facts(spec.depth), depth_);
+  });
+  if (spec.samples == 1) return;
+  resolved_ = std::move(framebuffer_);
+  const auto attach_samples = [&](const FormatFacts& format, GlRenderbuffer& samples) {
+    samples = make_samples(gl, format, spec);
+    gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, format.attachment, GL_RENDERBUFFER, samples.id());
+  };
+  framebuffer_ = make_framebuffer(gl, spec, [&] {
+    if (spec.colour != ColourFormat::none) attach_samples(facts(spec.colour), colour_samples_);
+    if (spec.depth != DepthFormat::none) attach_samples(facts(spec.depth), depth_samples_);
+  });
 }
 
 void Target::bind(Gl& gl) const {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl.Viewport(0, 0, spec_.width, spec_.height);
+  switch_on(gl, GL_FRAMEBUFFER_SRGB, spec_.colour == ColourFormat::srgb8);
+}
+
+void Target::resolve(Gl& gl) const {
+  if (spec_.samples == 1) return;
+  const KeptBindings kept(gl);
+  const Switched whole(gl, GL_SCISSOR_TEST, false);  // a blit heeds it
+  // Where this is on, codes are decoded before their mean is taken, and the mean is encoded (OpenGL 4.4; by the letter
+  // of earlier versions it would be a mean of codes, and drivers do as the newer ones say).
+  const Switched linear(gl, GL_FRAMEBUFFER_SRGB, spec_.colour == ColourFormat::srgb8);
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
+  GLbitfield planes = 0;
+  if (spec_.colour != ColourFormat::none) planes |= GL_COLOR_BUFFER_BIT;
+  if (spec_.depth != DepthFormat::none) planes |= GL_DEPTH_BUFFER_BIT;
+  const GLint width = spec_.width, height = spec_.height;
+  gl.BlitFramebuffer(0, 0, width, height, 0, 0, width, height, planes, GL_NEAREST);
+  check_gl_error(gl, "resolving a target's samples");
 }
 
 Image Target::read_colour(Gl& gl) const {
   if (spec_.colour == ColourFormat::none) throw Error("target " + to_string(spec_) + ": has no colour to read");
+  resolve(gl);
   const KeptBindings kept(gl);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, textures_framebuffer());
   static_assert(sizeof(Rgba) == 4 * sizeof(float), "pixels are read straight into the image");
   Image image(spec_.width, spec_.height);
   read_pixels(gl, spec_, GL_RGBA, image.pixels().data());
@@ -158,13 +250,15 @@ Image Target::read_colour(Gl& gl) const {
   // Turn it over in place: OpenGL's first row is the lowest.
   for (int top = 0, bottom = spec_.height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(&image.at(0, top), &image.at(0, top) + spec_.width, &image.at(0, bottom));
+  if (spec_.colour == ColourFormat::srgb8) decode(image);
   return image;
 }
 
 Image Target::read_depth(Gl& gl) const {
   if (spec_.depth == DepthFormat::none) throw Error("target " + to_string(spec_) + ": has no depth to read");
+  resolve(gl);
   const KeptBindings kept(gl);
-  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
+  gl.BindFramebuffer(GL_READ_FRAMEBUFFER, textures_framebuffer());
   std::vector<float> depths(std::size_t(spec_.width) * std::size_t(spec_.height));
   read_pixels(gl, spec_, GL_DEPTH_COMPONENT, depths.data());
   check_gl_error(gl, "reading a target's depth");

@@ -66,6 +66,15 @@ std::uint8_t srgb_code(float linear) {
   return std::uint8_t(code);
 }
 
+float linear_of_code(std::uint8_t code) {
+  static const std::array<float, 256> table = [] {
+    std::array<float, 256> linear{};
+    for (std::size_t i = 0; i < linear.size(); ++i) linear[i] = float(srgb_decode(double(i) / 255));
+    return linear;
+  }();
+  return table[code];
+}
+
 Rgba srgb_encode(const Rgba& c) {
   return {srgb_encode(c.r), srgb_encode(c.g), srgb_encode(c.b), c.a};
 }

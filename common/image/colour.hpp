@@ -34,6 +34,9 @@ double srgb_decode(double encoded);
 /// NaN, 255 above 1.
 std::uint8_t srgb_code(float linear);
 
+/// The linear value that such a code stands for.
+float linear_of_code(std::uint8_t code);
+
 /// The curve on red, green and blue; opacity is no colour and stays as it is.
 Rgba srgb_encode(const Rgba& linear);
 Rgba srgb_decode(const Rgba& encoded);
