@@ -23,7 +23,7 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
   const GlCounts& gl = cost.gl;
   const SceneCounts& scene = cost.scene;
   return {
-      {"passes", gl.passes, "targets drawn into or cleared, one after another"},
+      {"passes", gl.passes, "targets drawn into, cleared or resolved into, one after another"},
       {"clears", gl.clears, "of a target"},
       {"draws", gl.draws, "glDraw* calls"},
       {"triangles", gl.triangles, "asked for by the draws"},

@@ -8,7 +8,9 @@ namespace atelier {
 /// What was asked of OpenGL since Gl::restart_counts(): what --stats prints, and what 'only what the scene requires' is
 /// tested by. A count of draws is a fact about the program; a time is one about the machine too.
 struct GlCounts {
-  std::int64_t passes = 0;     ///< framebuffers drawn into or cleared, anew after each binding or change of attachment
+  /// Framebuffers drawn into, cleared or blitted to, anew after each binding or change of attachment. To bring several
+  /// samples a pixel into a texture is one.
+  std::int64_t passes = 0;
   std::int64_t clears = 0;     ///< glClear* calls
   std::int64_t draws = 0;      ///< glDraw* calls
   std::int64_t triangles = 0;  ///< asked for by them
@@ -20,7 +22,7 @@ struct GlCounts {
   std::int64_t attributes = 0;        ///< different vertex attributes that the programs drawn with read
   std::int64_t texture_sources = 0;   ///< different textures that the programs drawn with look up
 
-  std::int64_t target_bytes = 0;     ///< of all attachments of the framebuffers drawn into or cleared
+  std::int64_t target_bytes = 0;     ///< of all attachments of the framebuffers that `passes` counts
   std::int64_t texture_bytes = 0;    ///< that the textures hold now, all levels and layers, without targets
   std::int64_t allocated_bytes = 0;  ///< asked for by glTexImage* and glRenderbufferStorage*: 0 in a frame at rest
 };

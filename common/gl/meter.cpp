@@ -114,6 +114,10 @@ void GlMeter::clear() {
   ++counts_.clears;
 }
 
+void GlMeter::blit() {
+  begin_pass();
+}
+
 void GlMeter::bind_framebuffer(GLenum target, GLuint framebuffer) {
   if (target != GL_DRAW_FRAMEBUFFER) read_framebuffer_ = framebuffer;
   if (target == GL_READ_FRAMEBUFFER) return;
@@ -275,6 +279,9 @@ void count_calls(Gl& gl) {
   gl.DrawElements.count = [](M& m, GLenum mode, GLsizei corners, GLenum, const void*) { m.draw(mode, corners); };
   gl.Clear.count = [](M& m, GLbitfield) { m.clear(); };
   gl.ClearBufferfv.count = [](M& m, GLenum, GLint, const GLfloat*) { m.clear(); };
+  gl.BlitFramebuffer.count = [](M& m, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum) {
+    m.blit();
+  };
   gl.BindFramebuffer.count = [](M& m, GLenum target, GLuint name) { m.bind_framebuffer(target, name); };
   gl.FramebufferTexture.count = [](M& m, GLenum target, GLenum point, GLuint texture, GLint) {
     m.attach_texture(target, point, texture);

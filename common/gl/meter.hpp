@@ -23,6 +23,7 @@ class GlMeter {
   // Draws and passes
   void draw(GLenum mode, GLsizei corners);
   void clear();
+  void blit();
   void bind_framebuffer(GLenum target, GLuint framebuffer);
   void attach_texture(GLenum target, GLenum attachment, GLuint texture);
   void attach_renderbuffer(GLenum target, GLenum attachment, GLuint renderbuffer);

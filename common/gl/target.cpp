@@ -225,8 +225,8 @@ void Target::resolve(Gl& gl) const {
   if (spec_.samples == 1) return;
   const KeptBindings kept(gl);
   const Switched whole(gl, GL_SCISSOR_TEST, false);  // a blit heeds it
-  // Codes are decoded before their mean is taken, and the mean is encoded, where this is on: OpenGL 4.4 says so, and
-  // drivers of earlier versions do so.
+  // Where this is on, codes are decoded before their mean is taken, and the mean is encoded (OpenGL 4.4; by the letter
+  // of earlier versions it would be a mean of codes, and drivers do as the newer ones say).
   const Switched linear(gl, GL_FRAMEBUFFER_SRGB, spec_.colour == ColourFormat::srgb8);
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());

@@ -184,6 +184,23 @@ TEST_CASE("renderbuffers are targets too", "[meter]") {
   });
 }
 
+TEST_CASE("several samples a pixel are memory, and to resolve them is a pass", "[meter]") {
+  on_every_context([](Gl& gl) {
+    const TargetSpec spec{.width = 10, .height = 10, .colour = ColourFormat::srgb8, .samples = 4};
+    const Target target(gl, spec);
+    gl.restart_counts();
+    target.bind(gl);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    CHECK(gl.counts().passes == 1);
+    CHECK(gl.counts().target_bytes == 4 * 10 * 10 * (4 + 4));
+    target.resolve(gl);
+    CHECK(gl.counts().passes == 2);
+    CHECK(gl.counts().target_bytes == (4 + 1) * 10 * 10 * (4 + 4));
+    CHECK(std::size_t(gl.counts().target_bytes) == bytes(spec));
+    CHECK(gl.counts().texture_bytes == 0);  // what samples are resolved into is no texture to look up
+  });
+}
+
 TEST_CASE("texture bytes are what textures hold, with all levels and layers, and without targets", "[meter]") {
   on_every_context([](Gl& gl) {
     CHECK(gl.counts().texture_bytes == 0);

@@ -27,6 +27,7 @@ TEST_CASE("sRGB: published pairs of linear and encoded values") {
 TEST_CASE("sRGB: all 8-bit codes survive the way to light and back") {
   for (int code = 0; code < 256; ++code) CHECK(std::lround(srgb_encode(srgb_decode(float(code) / 255)) * 255) == code);
   for (int code = 0; code < 256; ++code) CHECK(srgb_code(srgb_decode(float(code) / 255)) == code);
+  for (int code = 0; code < 256; ++code) CHECK(linear_of_code(std::uint8_t(code)) == float(srgb_decode(code / 255.0)));
   for (int step = 0; step <= 1000; ++step)
     CHECK(srgb_code(float(step) / 1000) == std::lround(srgb_encode(double(float(step) / 1000)) * 255));
   CHECK(srgb_code(-1.0f) == 0);
