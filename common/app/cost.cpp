@@ -6,8 +6,34 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "case/printable.hpp"
 
 namespace atelier {
+namespace {
+
+/// A group's name as it is shown: a scene file may have chosen a part of it.
+std::string shown_name(const GlGroup& group, std::size_t longest) {
+  return shorten(printable(group.name), longest);
+}
+
+/// Bytes: with it the most groups that are listed (256) fit into what reads a .stats file, 64 KiB (case/exchange.hpp).
+constexpr std::size_t longest_in_json = 64;
+
+std::string groups_as_text(const std::vector<GlGroup>& groups) {
+  if (groups.empty()) return {};
+  constexpr int name_columns = 53;
+  constexpr std::size_t deepest = 16, longest = name_columns - deepest;
+  std::string text =
+      fmt::format("\n{:<{}} {:>7} {:>7} {:>12}\n", "group", name_columns, "passes", "draws", "triangles");
+  for (const GlGroup& group : groups) {
+    const std::string indent(std::min(2 * std::size_t(group.depth), deepest), ' ');
+    text += fmt::format("{:<{}} {:>7} {:>7} {:>12}\n", indent + shown_name(group, longest), name_columns, group.passes,
+                        group.draws, group.triangles);
+  }
+  return text;
+}
+
+}  // namespace
 
 FrameTimings timings_of(std::vector<double> seconds) {
   if (seconds.empty()) throw Error("no frame was timed: there is no median of nothing");
@@ -52,12 +78,19 @@ std::string cost_as_text(const DrawingCost& cost) {
   if (const auto& frames = cost.frames)
     text += fmt::format("{:<17} {:>12.3f}  milliseconds, median of {} frames: {:.3f} to {:.3f}\n", "frame",
                         frames->median_s * 1e3, frames->count, frames->least_s * 1e3, frames->most_s * 1e3);
-  return text;
+  return text + groups_as_text(cost.groups);
 }
 
 std::string cost_as_json(const DrawingCost& cost) {
   nlohmann::ordered_json json;
   for (const CostRow& row : cost_rows(cost)) json["counts"][row.name] = row.value;
+  json["groups"] = nlohmann::ordered_json::array();
+  for (const GlGroup& group : cost.groups)
+    json["groups"].push_back({{"depth", group.depth},
+                              {"name", shown_name(group, longest_in_json)},
+                              {"passes", group.passes},
+                              {"draws", group.draws},
+                              {"triangles", group.triangles}});
   if (const auto& frames = cost.frames)
     json["frames"] = {{"count", frames->count},
                       {"median_s", frames->median_s},

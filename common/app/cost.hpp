@@ -24,6 +24,7 @@ FrameTimings timings_of(std::vector<double> seconds);
 struct DrawingCost {
   GlCounts gl;
   SceneCounts scene;
+  std::vector<GlGroup> groups;  ///< in the order of their beginnings
   std::optional<FrameTimings> frames;
 };
 
@@ -37,11 +38,12 @@ struct CostRow {
 /// Every count, in the order in which a reader should meet them.
 std::vector<CostRow> cost_rows(const DrawingCost& cost);
 
-/// A table for people: name, value, meaning.
+/// Tables for people: name, value and meaning of each count; name, passes, draws and triangles of each group, indented
+/// by its depth.
 std::string cost_as_text(const DrawingCost& cost);
 
-/// {"counts": {NAME: whole number, ...}, "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only where
-/// frames were timed.
+/// {"counts": {NAME: whole number, ...}, "groups": [{"depth", "name", "passes", "draws", "triangles"}, ...],
+/// "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only where frames were timed.
 std::string cost_as_json(const DrawingCost& cost);
 
 }  // namespace atelier

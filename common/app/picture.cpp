@@ -7,6 +7,7 @@
 #include <chrono>
 
 #include "base/error.hpp"
+#include "gl/debug.hpp"
 
 namespace atelier {
 
@@ -47,6 +48,7 @@ const Target& Painter::target_for(const TargetSpec& spec) {
   if (!target_ || target_->spec() != spec) {
     target_.reset();  // free the old one before the new one is made
     target_.emplace(gl(), spec);
+    label(gl(), *target_, "picture");
   }
   return *target_;
 }
@@ -55,10 +57,13 @@ const Target& Painter::target_for(const TargetSpec& spec) {
 double Painter::draw(const Frame& frame, const Settings& settings) {
   gl().restart_counts();
   const auto begin = std::chrono::steady_clock::now();
-  program_.draw(frame, settings);
+  {
+    const DebugGroup group(gl(), "frame");
+    program_.draw(frame, settings);
+  }
   gl().Finish();  // the commands are only queued until then
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  cost_ = {.gl = gl().counts(), .scene = program_.counts()};
+  cost_ = {.gl = gl().counts(), .scene = program_.counts(), .groups = gl().groups()};
   return taken.count();
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "gl/debug.hpp"
 #include "gl/shader.hpp"
 #include "gl/state.hpp"
 #include "gl/target.hpp"
@@ -66,18 +67,23 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
     text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
   text += preamble + "void main() { o_value = " + expression + "; }\n";
 
+  const std::string shown_as = "probe: " + expression;
+  const DebugGroup group(gl_, shown_as);
   const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   auto found = programs_.find(text);
-  if (found == programs_.end())
+  if (found == programs_.end()) {
     found = programs_
                 .emplace(text, build_program(
                                    gl_, assemble_shader_text(find, triangle_over_everything, "probe vertex shader", {}),
                                    assemble_shader_text(find, text, "probe", {})))
                 .first;
+    label(gl_, GL_PROGRAM, found->second.id(), shown_as);
+  }
   const GLuint program = found->second.id();
 
   const Target target(gl_, {.width = 1, .height = 1, .colour = ColourFormat::rgba32f, .depth = DepthFormat::none});
   reset_state(gl_);  // but not the texture that a sampler of the probe's may read
+  label(gl_, target, "probe");
   target.bind(gl_);
   gl_.UseProgram(program);
   for (const auto& [name, values] : arguments.values)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace atelier {
 
@@ -25,6 +26,15 @@ struct GlCounts {
   std::int64_t target_bytes = 0;     ///< of all attachments of the framebuffers that `passes` counts
   std::int64_t texture_bytes = 0;    ///< that the textures hold now, all levels and layers, without targets
   std::int64_t allocated_bytes = 0;  ///< asked for by glTexImage* and glRenderbufferStorage*: 0 in a frame at rest
+};
+
+/// A part of a frame that was given a name (gl/debug.hpp), with what was asked for in it and in the groups inside it.
+struct GlGroup {
+  int depth = 0;  ///< how many groups it lies in
+  std::string name;
+  std::int64_t passes = 0;  ///< begun in it: none where it draws on in a pass that was begun before
+  std::int64_t draws = 0, triangles = 0;
+  bool operator==(const GlGroup&) const = default;
 };
 
 }  // namespace atelier

@@ -61,6 +61,14 @@ Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
   // Asked for by version or extension first: some resolvers answer every name, known or not.
   if (version_ >= 45 || has_extension("GL_ARB_clip_control"))
     resolve_into(ClipControl, resolve, "glClipControl", *meter_);
+  if (version_ >= 43 || has_extension("GL_KHR_debug")) {
+#define ATELIER_GL_LOAD(type, name) resolve_into(name, resolve, "gl" #name, *meter_);
+    ATELIER_GL_DEBUG_FUNCTIONS(ATELIER_GL_LOAD)
+#undef ATELIER_GL_LOAD
+    GetIntegerv(GL_MAX_LABEL_LENGTH, &debug_limits_.label);
+    GetIntegerv(GL_MAX_DEBUG_MESSAGE_LENGTH, &debug_limits_.message);
+    GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &debug_limits_.group_depth);
+  }
 }
 
 Gl::~Gl() = default;
@@ -69,8 +77,20 @@ GlCounts Gl::counts() const {
   return meter_->counts();
 }
 
+std::vector<GlGroup> Gl::groups() const {
+  return meter_->groups();
+}
+
 void Gl::restart_counts() {
   meter_->restart();
+}
+
+int Gl::begin_group(std::string_view name) {
+  return meter_->begin_group(name);
+}
+
+void Gl::end_group() {
+  meter_->end_group();
 }
 
 bool Gl::has_extension(const char* name) const {

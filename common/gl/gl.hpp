@@ -9,6 +9,8 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "gl/counts.hpp"
 
@@ -94,7 +96,13 @@ class GlMeter;
   X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                                     \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                   \
   X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                     \
+  X(PFNGLISBUFFERPROC, IsBuffer)                                                       \
   X(PFNGLISENABLEDPROC, IsEnabled)                                                     \
+  X(PFNGLISFRAMEBUFFERPROC, IsFramebuffer)                                             \
+  X(PFNGLISPROGRAMPROC, IsProgram)                                                     \
+  X(PFNGLISRENDERBUFFERPROC, IsRenderbuffer)                                           \
+  X(PFNGLISTEXTUREPROC, IsTexture)                                                     \
+  X(PFNGLISVERTEXARRAYPROC, IsVertexArray)                                             \
   X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                 \
   X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                 \
   X(PFNGLPOLYGONMODEPROC, PolygonMode)                                                 \
@@ -129,6 +137,19 @@ class GlMeter;
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                 \
   X(PFNGLVIEWPORTPROC, Viewport)
 
+/// Those of GL 4.3 or KHR_debug, which give names to what is drawn and to objects (gl/debug.hpp).
+#define ATELIER_GL_DEBUG_FUNCTIONS(X)        \
+  X(PFNGLGETOBJECTLABELPROC, GetObjectLabel) \
+  X(PFNGLOBJECTLABELPROC, ObjectLabel)       \
+  X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)   \
+  X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)
+
+/// What the driver allows of KHR_debug; all 0 where it has none. A name must be shorter than its limit in bytes.
+struct GlDebugLimits {
+  GLint label = 0, message = 0;  ///< names of objects, and of groups
+  GLint group_depth = 0;         ///< groups open at a time, the unnamed one around all of them included
+};
+
 /// The loaded functions of the current context. Made by a context; valid while that lives and is current.
 class Gl {
  public:
@@ -142,7 +163,15 @@ class Gl {
 
   /// What was asked of OpenGL since restart_counts() or, where that was never called, since this object was made.
   GlCounts counts() const;
+  /// The groups since then in the order of their beginnings, at most the first 256; one that is still open has what was
+  /// made in it so far.
+  std::vector<GlGroup> groups() const;
   void restart_counts();
+
+  /// What is made between the two counts for the group `name` too, and for those around it. The first returns how many
+  /// are open now. Called by DebugGroup (gl/debug.hpp), which never forgets the second.
+  int begin_group(std::string_view name);
+  void end_group();
 
   /// One function: calls through, and tells the meter first where the counts depend on it.
   template <class Signature>
@@ -161,11 +190,17 @@ class Gl {
 
 #define ATELIER_GL_MEMBER(type, name) Function<type> name;
   ATELIER_GL_FUNCTIONS(ATELIER_GL_MEMBER)
-#undef ATELIER_GL_MEMBER
 
   /// glClipControl, where the context has GL 4.5 or ARB_clip_control; otherwise its `call` is null.
   Function<PFNGLCLIPCONTROLPROC> ClipControl;
 
+  // Where the context has GL 4.3 or KHR_debug; otherwise their `call` is null.
+  ATELIER_GL_DEBUG_FUNCTIONS(ATELIER_GL_MEMBER)
+#undef ATELIER_GL_MEMBER
+
+  const GlDebugLimits& debug_limits() const {
+    return debug_limits_;
+  }
   bool has_extension(const char* name) const;
   int version() const {
     return version_;
@@ -174,6 +209,7 @@ class Gl {
 
  private:
   std::unique_ptr<GlMeter> meter_;
+  GlDebugLimits debug_limits_;
   int version_ = 0;
 };
 

@@ -56,6 +56,13 @@ GLenum binding_of(GLenum target) {
   return side ? GLenum(GL_TEXTURE_CUBE_MAP) : target;
 }
 
+/// A group's counts are the sums at its end less those at its beginning.
+void add(GlGroup& group, const GlCounts& sums, int sign) {
+  group.passes += sign * sums.passes;
+  group.draws += sign * sums.draws;
+  group.triangles += sign * sums.triangles;
+}
+
 }  // namespace
 
 // ---- The counts
@@ -68,6 +75,15 @@ void GlMeter::restart() {
   textures_read_.clear();
   attributes_read_.clear();
   targets_.clear();
+
+  // Groups that are still open are listed anew, from nothing.
+  std::vector<GlGroup> still_open;
+  for (auto& listed : open_groups_) {
+    if (!listed) continue;
+    still_open.push_back({.depth = groups_[*listed].depth, .name = groups_[*listed].name});
+    listed = still_open.size() - 1;
+  }
+  groups_ = std::move(still_open);
 }
 
 GlCounts GlMeter::counts() const {
@@ -83,6 +99,31 @@ GlCounts GlMeter::counts() const {
   for (const auto& [texture, levels] : textures_)
     if (!attached.contains(texture)) counts.texture_bytes += bytes_of({false, texture});
   return counts;
+}
+
+// ---- Groups
+
+int GlMeter::begin_group(std::string_view name) {
+  auto& listed = open_groups_.emplace_back();
+  if (groups_.size() < most_groups) {
+    listed = groups_.size();
+    groups_.push_back({.depth = int(open_groups_.size()) - 1, .name = std::string(name)});
+    add(groups_.back(), counts_, -1);
+  }
+  return int(open_groups_.size());
+}
+
+void GlMeter::end_group() {
+  if (open_groups_.empty()) return;
+  if (const auto listed = open_groups_.back()) add(groups_[*listed], counts_, 1);
+  open_groups_.pop_back();
+}
+
+std::vector<GlGroup> GlMeter::groups() const {
+  std::vector<GlGroup> groups = groups_;
+  for (const auto& listed : open_groups_)
+    if (listed) add(groups[*listed], counts_, 1);
+  return groups;
 }
 
 // ---- Draws and passes

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "gl/counts.hpp"
 #include "gl/gl.hpp"
@@ -19,6 +22,11 @@ class GlMeter {
 
   void restart();
   GlCounts counts() const;
+
+  // Groups
+  int begin_group(std::string_view name);  ///< returns how many are open now
+  void end_group();                        ///< the one that was begun last; does nothing where none is open
+  std::vector<GlGroup> groups() const;
 
   // Draws and passes
   void draw(GLenum mode, GLsizei corners);
@@ -92,6 +100,11 @@ class GlMeter {
   std::set<GLuint> programs_drawn_with_, textures_read_;
   std::set<GLint> attributes_read_;
   std::map<Attachment, std::int64_t> targets_;  ///< bytes of what was drawn into
+
+  // Groups: more than are listed are followed, so that ends meet their beginnings
+  static constexpr std::size_t most_groups = 256;
+  std::vector<GlGroup> groups_;                          ///< of an open one: the sums before it, negated
+  std::vector<std::optional<std::size_t>> open_groups_;  ///< into groups_; empty where it is not listed
 };
 
 /// Has every function of `gl` that costs something told to `meter`.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "gl/debug.hpp"
 #include "gl/state.hpp"
 #include "gl/write_colour.hpp"
 #include "image/colour.hpp"
@@ -141,6 +142,7 @@ void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, 
     const bool last = &pass == &passes.back();
     if (!last) at = next_target(at);
     const Target& next = last ? target : *pictures.turns[std::size_t(at)];
+    const DebugGroup group(gl_, "pass: " + pass.name);
     if (on_cpu(pass))
       run_on_cpu(pass, pictures, *source, next);
     else

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/error.hpp"
+#include "gl/debug.hpp"
 
 namespace atelier {
 
@@ -41,6 +42,10 @@ PlacedNodes::UploadedMesh PlacedNodes::upload(const Mesh& mesh, const std::vecto
     gl_.EnableVertexAttribArray(attribute_tangent);
     gl_.VertexAttribPointer(attribute_tangent, 4, GL_FLOAT, GL_FALSE, sizeof(glm::vec4), nullptr);
   }
+  label(gl_, GL_VERTEX_ARRAY, uploaded.vertex_array.id(), mesh.name);
+  label(gl_, GL_BUFFER, uploaded.vertex_buffer.id(), mesh.name + ": vertices");
+  label(gl_, GL_BUFFER, uploaded.index_buffer.id(), mesh.name + ": indices");
+  label(gl_, GL_BUFFER, uploaded.tangent_buffer.id(), mesh.name + ": tangents");
   gl_.BindVertexArray(0);
   return uploaded;
 }

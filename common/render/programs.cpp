@@ -4,6 +4,8 @@
 
 #include <tuple>
 
+#include "gl/debug.hpp"
+
 namespace atelier {
 
 namespace {
@@ -22,9 +24,10 @@ std::map<std::filesystem::path, std::filesystem::file_time_type> changes_of(
   return files;
 }
 
-Program linked(Gl& gl, const ShaderSource& vertex, const ShaderSource& fragment,
+Program linked(Gl& gl, const std::string& name, const ShaderSource& vertex, const ShaderSource& fragment,
                const ShaderSource* geometry = nullptr) {
   GlProgram program = build_program(gl, vertex, fragment, geometry);
+  label(gl, GL_PROGRAM, program.id(), name);
   Uniforms uniforms(gl, program.id());
   auto files = geometry ? changes_of({&vertex, &fragment, geometry}) : changes_of({&vertex, &fragment});
   return {std::move(program), std::move(uniforms), std::move(files)};
@@ -49,7 +52,7 @@ std::filesystem::path Programs::find(const std::string& name) const {
 Program Programs::build(const SurfaceKey& key) const {
   const SurfaceSources sources =
       assemble_surface([this](const std::string& name) { return find(name); }, transforms_glsl_, key);
-  return linked(gl_, sources.vertex, sources.fragment);
+  return linked(gl_, "surface: " + key.output, sources.vertex, sources.fragment);
 }
 
 Program Programs::build(const PassSources& pass) const {
@@ -58,7 +61,7 @@ Program Programs::build(const PassSources& pass) const {
                                 fmt::format("{} {} shader", pass.name, which), pass.structure);
   };
   const ShaderSource geometry = stage(pass.geometry, "geometry");
-  return linked(gl_, stage(pass_vertex_text(transforms_glsl_) + pass.vertex, "vertex"),
+  return linked(gl_, pass.name, stage(pass_vertex_text(transforms_glsl_) + pass.vertex, "vertex"),
                 stage(pass.fragment, "fragment"), pass.geometry.empty() ? nullptr : &geometry);
 }
 
@@ -79,7 +82,7 @@ Program Programs::build(const ChainKey& key) const {
   for (const std::string& name : key.reads) fragment += fmt::format("uniform sampler2D u_{};\n", name);
   fragment += fmt::format("#include \"{}\"\nvoid main() {{ o_colour = {}(v_texcoord); }}\n", key.code.include,
                           key.code.function);
-  return linked(gl_, stage(vertex, "vertex"), stage(fragment, "fragment"));
+  return linked(gl_, "pass: " + key.code.function, stage(vertex, "vertex"), stage(fragment, "fragment"));
 }
 
 template <class Key>

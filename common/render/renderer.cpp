@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gl/debug.hpp"
 #include "gl/state.hpp"
 #include "render/cull.hpp"
 
@@ -291,6 +292,7 @@ void Renderer::draw_scene(const View& view, const Target& target) {
     target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
     feature->draw_before(gl_, *scene_, viewpoint, *this);
   }
+  const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
   begin(viewpoint, target);
   if (drawn_instead(view, target)) return;
   draw_nodes(viewpoint);
@@ -351,6 +353,7 @@ void Renderer::paint(const PassSources& pass, std::span<const int> items, const 
 }
 
 void Renderer::draw_view(const View& view, const Target& target) {
+  const DebugGroup group(gl_, "view");
   draw_with_chain(view, target);
 }
 
@@ -385,6 +388,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   view.parent = &around.view;
   view.stencil_level = level + 1;
 
+  const DebugGroup group(gl_, fmt::format("view inside, level {}", view.stencil_level));
   set_bounds(around, target);
   functions.begin_mark(gl_, level);
   paint_opening(around, opening, glm::vec3(0));

@@ -1,5 +1,7 @@
 #include "render/target_pool.hpp"
 
+#include "gl/debug.hpp"
+
 namespace atelier {
 
 std::shared_ptr<const Target> TargetPool::take(const TargetSpec& spec) {
@@ -9,6 +11,7 @@ std::shared_ptr<const Target> TargetPool::take(const TargetSpec& spec) {
       return entry.target;
     }
   entries_.push_back({std::make_shared<const Target>(gl_, spec)});
+  label(gl_, *entries_.back().target, "pooled target");
   return entries_.back().target;
 }
 

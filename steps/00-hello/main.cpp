@@ -1,5 +1,6 @@
 // 00-hello: one triangle. Nothing here is to be changed; it is short enough to read.
 #include "app/step_program.hpp"
+#include "gl/debug.hpp"
 #include "gl/shader.hpp"
 
 namespace atelier {
@@ -41,6 +42,7 @@ class Hello : public StepProgram {
   Camera camera() const override { return {}; }
 
   void draw(const Frame& frame, const Settings&) override {
+    const DebugGroup group(*gl_, "triangle");
     frame.target.bind(*gl_);
     gl_->ClearColor(0.02f, 0.02f, 0.03f, 1);
     gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -68,6 +70,7 @@ class Hello : public StepProgram {
     const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
     program_ = build_program(*gl_, assemble_shader_text(find, vertex_text, "vertex shader", {}),
                              assemble_shader_text(find, fragment_text, "fragment shader", {}));
+    label(*gl_, GL_PROGRAM, program_.id(), "hello");
     written_ = std::filesystem::last_write_time(implementations_.find("00-hello/hello.glsl"));
   }
 

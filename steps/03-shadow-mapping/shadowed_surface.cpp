@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
 
+#include "gl/debug.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -147,6 +148,8 @@ void ShadowedSurface::make_room(Gl& gl) {
   check_gl_error(gl, fmt::format("make_shadow_maps: {} layers of {}x{} texels", frame_.maps.size(),
                                  settings_.resolution, settings_.resolution)
                          .c_str());
+  label(gl, GL_TEXTURE, texture_.id(), "shadow maps");
+  label(gl, GL_FRAMEBUFFER, framebuffer_.id(), "shadow maps");
   room_ = needed;
   for (MappedLight& map : frame_.maps) map.drawn = false;
 }
@@ -167,6 +170,7 @@ glm::ivec4 ShadowedSurface::texels_looked_up(const MappedLight& map) const {
 
 void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
   MappedLight& map = frame_.maps[std::size_t(layer)];
+  const DebugGroup group(gl, name_of(lights_, map.light, "shadow map"));
   if (frame_.looked_up) {
     const glm::ivec4 part = texels_looked_up(map);
     gl.Enable(GL_SCISSOR_TEST);
@@ -215,6 +219,11 @@ bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& targe
 }
 
 // ---- Looking them up
+
+std::string name_of(const DrawnLights& lights, int light, std::string_view what) {
+  const std::string& name = lights.light(light).name;
+  return fmt::format("{} of light {}{}", what, light, name.empty() ? "" : " (" + name + ")");
+}
 
 int FrameMaps::layer_of(int light) const {
   for (std::size_t i = 0; i < maps.size(); ++i)

@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "02-blinn-phong/lit_surface.hpp"
 #include "03-shadow-mapping/map_picture.hpp"
@@ -17,6 +18,9 @@ namespace atelier {
 
 /// The numbers of these lights (of a map, of a cube) as the shader lists them: "0, -1, 1".
 std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
+
+/// "shadow map of light 0 (sun)": for the parts of a frame.
+std::string name_of(const DrawnLights& lights, int light, std::string_view what);
 
 /// The frusta into which all casters around a point light fit, by the light's number: one map then serves it.
 using PointFrusta = std::map<int, shadow_mapping::LightFrustum>;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "gl/debug.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -121,6 +122,9 @@ bool PointShadowedSurface::make_room(Gl& gl, std::size_t cube) {
   made.texture = GlTexture(gl, made.names.texture);
   made.framebuffer = GlFramebuffer(gl, made.names.framebuffer);
   check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", edge_).c_str());
+  const std::string name = name_of(lights_, cubes_[cube].light, "shadow cube");
+  label(gl, GL_TEXTURE, made.texture.id(), name);
+  label(gl, GL_FRAMEBUFFER, made.framebuffer.id(), name);
   room = std::move(made);
   cubes_[cube].drawn = false;
   return room.made();
@@ -158,6 +162,7 @@ PassSources cube_pass(bool layered) {
 void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& painter) {
   static const PassSources all_at_once = cube_pass(true), one_by_one = cube_pass(false);
   Cubed& cube = cubes_[index];
+  const DebugGroup group(gl, name_of(lights_, cube.light, "shadow cube"));
   const CubeMap& names = rooms_[index].names;
   std::array<glm::mat4, 6> matrices;
   for (int face = 0; face < 6; ++face)

@@ -1,5 +1,6 @@
 #include "app/window/presenter.hpp"
 
+#include "gl/debug.hpp"
 #include "gl/shader.hpp"
 
 namespace atelier {
@@ -45,9 +46,12 @@ GlProgram build(Gl& gl) {
 
 }  // namespace
 
-Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) {}
+Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) {
+  label(gl, GL_PROGRAM, program_.id(), "presenter");
+}
 
 void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& area) {
+  const DebugGroup group(gl_, "picture to window");
   gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
   gl_.Disable(GL_DEPTH_TEST);
   gl_.Disable(GL_CULL_FACE);

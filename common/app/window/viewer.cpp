@@ -11,6 +11,7 @@
 #include "app/picture.hpp"
 #include "base/error.hpp"
 #include "case/suggest.hpp"
+#include "gl/debug.hpp"
 
 namespace atelier {
 namespace {
@@ -145,7 +146,10 @@ void Viewer::load() {
 void Viewer::draw_into(const Target& target) {
   gl_.restart_counts();
   const auto begin = std::chrono::steady_clock::now();
-  program_.draw({target, camera(), output_, time_}, settings_);
+  {
+    const DebugGroup group(gl_, "frame");
+    program_.draw({target, camera(), output_, time_}, settings_);
+  }
   gl_.Finish();  // the commands are only queued until then
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   if (gl_.counts().programs_linked == 0) times_.add(taken.count());  // a compilation is no frame
@@ -163,11 +167,12 @@ bool Viewer::draw() {
     if (!spare_ || spare_->spec() != spec) {
       spare_.reset();  // free the old one before the new one is made
       spare_ = std::make_unique<Target>(gl_, spec);
+      label(gl_, *spare_, "picture");
     }
     draw_into(*spare_);
   });
   if (!trouble.drawing.empty()) return false;
-  cost_ = {.gl = gl_.counts(), .scene = program_.counts()};
+  cost_ = {.gl = gl_.counts(), .scene = program_.counts(), .groups = gl_.groups()};
   std::swap(shown_, spare_);
   return true;
 }

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/cases.hpp"
+#include "case/exchange.hpp"
 #include "catch.hpp"
 #include "studio.hpp"
 
@@ -45,6 +46,8 @@ TEST_CASE("a picture's cost is counted without the loading of its scene", "[cost
   CHECK(cost.scene.nodes == 1);
   CHECK(cost.scene.matrices == 2);
   CHECK_FALSE(cost.frames);
+  REQUIRE_FALSE(cost.groups.empty());
+  CHECK(cost.groups[0] == GlGroup{.depth = 0, .name = "frame", .passes = 1, .draws = 1, .triangles = 12});
 }
 
 TEST_CASE("frames that are timed are drawn after two that are not, and look the same", "[cost]") {
@@ -88,6 +91,45 @@ TEST_CASE("every count stands in the table and, under the same name, in the JSON
   std::size_t rows = 0;
   for (std::string line; std::getline(lines, line); ++rows) CHECK(line.size() <= 100);  // fits a terminal
   CHECK(rows == cost_rows(cost).size() + 1);
+}
+
+TEST_CASE("groups are an indented list, and under the same names in the JSON", "[cost]") {
+  DrawingCost cost;
+  const nlohmann::json none = nlohmann::json::parse(cost_as_json(cost));
+  CHECK(none["groups"] == nlohmann::json::array());
+
+  cost.groups = {{.depth = 0, .name = "frame", .passes = 3, .draws = 40, .triangles = 5000},
+                 {.depth = 1, .name = "shadow maps", .passes = 2, .draws = 30, .triangles = 4000},
+                 {.depth = 2, .name = "map of light 0 (sun)", .passes = 1, .draws = 12, .triangles = 1500},
+                 {.depth = 1, .name = "lamp\n\x1b[31m\xff", .passes = 0, .draws = 0, .triangles = 0},
+                 {.depth = 99, .name = std::string(1000, 'x'), .passes = 0, .draws = 0, .triangles = 999999999999}};
+  const std::string text = cost_as_text(cost);
+  const std::string list = text.substr(text.find("\ngroup ") + 1);
+  CHECK(list ==
+        "group                                                  passes   draws    triangles\n"
+        "frame                                                       3      40         5000\n"
+        "  shadow maps                                               2      30         4000\n"
+        "    map of light 0 (sun)                                    1      12         1500\n"
+        "  lamp\uFFFD\uFFFD[31m\uFFFD                                               0       0            0\n"
+        "                xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...       0       0 999999999999\n");
+
+  const nlohmann::json json = nlohmann::json::parse(cost_as_json(cost));
+  REQUIRE(json["groups"].size() == 5);
+  CHECK(json["groups"][2] ==
+        nlohmann::json{
+            {"depth", 2}, {"name", "map of light 0 (sun)"}, {"passes", 1}, {"draws", 12}, {"triangles", 1500}});
+  CHECK(json["groups"][3]["name"] == "lamp\uFFFD\uFFFD[31m\uFFFD");
+}
+
+TEST_CASE("as many groups as are listed, with long names, do not keep the judge from the counts", "[cost]") {
+  constexpr std::int64_t many = 99'999'999;
+  DrawingCost cost;
+  cost.gl.triangles = 7;
+  cost.groups.assign(256,
+                     {.depth = 99, .name = std::string(1000, 'x'), .passes = 999, .draws = many, .triangles = many});
+  const TemporaryFolder folder("atelier-cost-test");
+  write_file(folder.path() / "a.stats", cost_as_json(cost));
+  CHECK(read_counts(folder.path() / "a.stats").at("triangles") == 7);
 }
 
 TEST_CASE("the cost of each picture case lies beside its picture where it is asked for", "[cost]") {

@@ -102,3 +102,17 @@ TEST_CASE("a painter calls probes", "[picture]") {
   probe.probe = "thrice";
   CHECK(mentions(error_of([&] { studio.painter->probe(probe); }), {"thrice", "twice"}));
 }
+
+TEST_CASE("a probe of a shader is a group that names its expression", "[picture]") {
+  Studio studio;
+  Gl& gl = studio.painter->gl();
+  const Implementations nothing;
+  ShaderProbe probe(gl, nothing);
+  Arguments arguments;
+  arguments.values["x"] = {3};
+  gl.restart_counts();
+  CHECK(probe.evaluate("", "vec4(2.0 * x)", arguments) == glm::vec4(6));
+  const std::vector<GlGroup> expected = {
+      {.depth = 0, .name = "probe: vec4(2.0 * x)", .passes = 1, .draws = 1, .triangles = 1}};
+  CHECK(gl.groups() == expected);
+}

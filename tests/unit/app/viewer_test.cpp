@@ -54,6 +54,8 @@ TEST_CASE("a viewer draws when something has changed, and only then", "[viewer]"
   REQUIRE(viewer.draw());
   CHECK_FALSE(viewer.draw());
   CHECK(room.step.draws == 1);
+  REQUIRE_FALSE(viewer.cost().groups.empty());
+  CHECK(viewer.cost().groups[0] == GlGroup{.depth = 0, .name = "frame", .passes = 1, .draws = 1, .triangles = 12});
 
   const struct {
     const char* name;
@@ -344,7 +346,10 @@ TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[p
     screen.bind(gl);
     gl.ClearColor(0, 0, 0, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.restart_counts();
     presenter.draw(source, row.encoding, {{0, 0}, {2, 3}});
+    CHECK(gl.groups() == std::vector<GlGroup>{
+                             {.depth = 0, .name = "picture to window", .passes = 1, .draws = 1, .triangles = 1}});
     const Image shown = read_framebuffer(gl, {3, 3});
     // A driver's pow is good to some 1e-4: a tenth of a step of 8 bits.
     CHECK(shown.at(0, 0).r == Approx(row.shown.r).margin(4e-4));
