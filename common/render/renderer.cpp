@@ -39,7 +39,7 @@ Renderer::Renderer(Gl& gl, Implementations implementations, TransformFunctions t
       pool_(gl),
       chain_(gl, programs_, pool_, chain_functions_) {}
 
-void Renderer::configure(const Settings& settings, ColourFormat chain_format) {
+void Renderer::configure(const Settings& settings, std::optional<ColourFormat> chain_format) {
   chain_format_ = chain_format;
   for (auto& feature : features_) feature->configure(settings);
   variants_.clear();
@@ -315,7 +315,7 @@ void Renderer::draw_with_chain(const View& view, const Target& target) {
     into.resolve(gl_);
   };
   const std::vector<ChainPass> active = passes_to_run(all, view.output);
-  if (!active.empty()) return chain_.run(active, chain_format_, target, draw);
+  if (!active.empty()) return chain_.run(active, chain_format_.value_or(target.spec().colour), target, draw);
   draw(has_pass(all, view.output) ? "colour" : view.output, target);
 }
 

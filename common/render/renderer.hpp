@@ -23,8 +23,8 @@ class Renderer : private ScenePainter {
   Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
            std::vector<std::unique_ptr<Feature>> features, ChainFunctions chain = {});
 
-  /// Hands the settings to every feature. `chain_format` is that of pictures between two passes.
-  void configure(const Settings& settings, ColourFormat chain_format = ColourFormat::rgba32f);
+  /// Hands the settings to every feature. `chain_format` is that of pictures between two passes; none: the target's.
+  void configure(const Settings& settings, std::optional<ColourFormat> chain_format = {});
 
   /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
   void prepare(const Scene& scene);
@@ -94,7 +94,7 @@ class Renderer : private ScenePainter {
   Programs programs_;
   TargetPool pool_;
   ChainRunner chain_;
-  ColourFormat chain_format_ = ColourFormat::rgba32f;
+  std::optional<ColourFormat> chain_format_;
 
   const Scene* scene_ = nullptr;
   std::vector<Light> lights_;         ///< of the scene, and of features

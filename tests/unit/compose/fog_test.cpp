@@ -74,8 +74,9 @@ struct Place {
   Settings settings{all_settings()};
   std::unique_ptr<Renderer> renderer;
 
+  Place() { write_file(folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl)); }
+  /// Takes these features from now on.
   void open(Features features) {
-    write_file(folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
     const std::filesystem::path root = ATELIER_SOURCE_DIR;
     renderer = std::make_unique<Renderer>(
         context->gl(), Implementations({{folder.path(), ""}, {root / "solutions", ""}, {root / "steps", ""}}),
@@ -101,14 +102,14 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
       {2, "teapot", make_blinn_phong_scene}, {3, "teapot", make_shadow_scene}, {4, "lantern", make_point_scene}};
   for (const auto& row : rows) {
     INFO("step 0" << row.step << ", scene " << row.scene);
-    Place clear, foggy;
-    const Scene scene = row.make(row.scene, clear.settings);
-    clear.open(features_of(row.step));
-    const Image plain = clear.draw(scene), places = clear.draw(scene, "position"), depths = clear.draw(scene, "depth");
+    Place place;
+    const Scene scene = row.make(row.scene, place.settings);
+    place.open(features_of(row.step));
+    const Image plain = place.draw(scene), places = place.draw(scene, "position"), depths = place.draw(scene, "depth");
     Features with_fog = features_of(row.step);
     with_fog.push_back(std::make_unique<Fog>());
-    foggy.open(std::move(with_fog));
-    const Image fog = foggy.draw(scene);
+    place.open(std::move(with_fog));
+    const Image fog = place.draw(scene);
     double worst = 0;
     for (int y = 0; y < plain.height(); ++y)
       for (int x = 0; x < plain.width(); ++x) {
@@ -129,7 +130,6 @@ TEST_CASE("lights of a step are darkened by shadows, with and without a fog over
   const Scene scene = make_point_scene("lantern", place.settings);
   place.open(features_of(4));
   const Image with = place.draw(scene);
-  Place bare;
-  bare.open(features_of(2));
-  CHECK_FALSE(with == bare.draw(scene));
+  place.open(features_of(2));
+  CHECK_FALSE(with == place.draw(scene));
 }

@@ -6,4 +6,5 @@ file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solutions/0[1-4]-*/*
 target_sources(unit-compose PRIVATE ${solutions})
 set_source_files_properties(${solutions} PROPERTIES
   SKIP_UNITY_BUILD_INCLUSION ON SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS "-Wno-unused-parameter")
-target_include_directories(unit-compose PRIVATE ${PROJECT_SOURCE_DIR}/steps)
+file(GLOB contracts CONFIGURE_DEPENDS LIST_DIRECTORIES true ${PROJECT_SOURCE_DIR}/steps/0[1-4]-*)
+target_include_directories(unit-compose PRIVATE ${PROJECT_SOURCE_DIR}/steps ${contracts})

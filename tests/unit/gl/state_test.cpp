@@ -40,7 +40,6 @@ std::map<std::string, std::vector<double>> state_of(Gl& gl) {
   floats("depth range", GL_DEPTH_RANGE, 2);
   floats("clear depth", GL_DEPTH_CLEAR_VALUE, 1);
   integers("stencil function", GL_STENCIL_FUNC);
-  integers("stencil reference", GL_STENCIL_REF);
   integers("stencil fail", GL_STENCIL_FAIL);
   integers("stencil depth fail", GL_STENCIL_PASS_DEPTH_FAIL);
   integers("stencil pass", GL_STENCIL_PASS_DEPTH_PASS);

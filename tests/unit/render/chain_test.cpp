@@ -124,10 +124,9 @@ TEST_CASE("a pass of the CPU works on floats or on bytes", "[chain]") {
   CHECK(stage.draw(scene).at(0, 0) == dark_blue);
   stage.piece->chain = {floats, bytes};
   const Image picture = stage.draw(scene);
-  CHECK(picture.at(0, 0).r == 1);    // the first byte is the upper left pixel's red
-  CHECK(picture.at(10, 20).r == 1);  // bytes end at 255
-  CHECK(picture.at(10, 20).g ==
-        Approx(0.5).margin(0.0025));  // half a code there: 0.5 / 255 / 0.73 of the curve's slope
+  CHECK(picture.at(0, 0).r == 1);                            // the first byte is the upper left pixel's red
+  CHECK(picture.at(10, 20).r == 1);                          // bytes end at 255
+  CHECK(picture.at(10, 20).g == Approx(0.5).margin(0.003));  // half a code: a 255th is 0.006 of light there
   stage.piece->chain = {bytes, shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)")};
   CHECK(stage.draw(scene).at(0, 0).r == 0.5f);
 }
@@ -139,8 +138,8 @@ TEST_CASE("pictures between passes have the format that is asked for", "[chain]"
   const struct {
     ColourFormat format;
     float bright;
-    double error;  ///< of 0.3 and 1/3, relative: none, 2^-12, half a code of sRGB there
-  } rows[] = {{ColourFormat::rgba32f, 4, 1e-7}, {ColourFormat::rgba16f, 4, 0.00025}, {ColourFormat::srgb8, 1, 0.007}};
+    double error;  ///< of 0.3 and 1/3, relative: none; 2^-10, since drivers may truncate; half a code of sRGB
+  } rows[] = {{ColourFormat::rgba32f, 4, 1e-7}, {ColourFormat::rgba16f, 4, 0.001}, {ColourFormat::srgb8, 1, 0.007}};
   for (const auto& row : rows) {
     INFO(int(row.format));
     stage.renderer->configure(Settings(), row.format);
@@ -151,7 +150,7 @@ TEST_CASE("pictures between passes have the format that is asked for", "[chain]"
   }
 }
 
-TEST_CASE("targets are used again, and freed when a chain has gone", "[chain]") {
+TEST_CASE("targets are lent, used again, and freed where nobody has used them", "[chain]") {
   const auto context = make_headless_context();
   TargetPool pool(context->gl());
   const TargetSpec spec{.width = 4, .height = 4};
@@ -167,7 +166,9 @@ TEST_CASE("targets are used again, and freed when a chain has gone", "[chain]") 
   pool.end_frame();
   pool.end_frame();
   CHECK(pool.size() == 1);  // one was not used in a whole frame; the other is in somebody's hands
+}
 
+TEST_CASE("a chain makes no targets in a frame at rest", "[chain]") {
   ChainStage stage;
   stage.piece->chain = {shader_pass(stage.shaders, "halved", "c * 0.5"), shader_pass(stage.shaders, "same", "c")};
   const View view{.camera = triangle_scene().camera};

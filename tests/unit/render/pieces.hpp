@@ -83,6 +83,7 @@ inline const Rgba dark_blue{0, 0, 0.25f, 1}, grey{0.5f, 0.5f, 0.5f, 1};
 struct Stage {
   Shaders shaders;
   std::unique_ptr<HeadlessContext> context = make_headless_context();
+  Scene prepared;  ///< drawn last: the renderer does not keep one
   std::unique_ptr<Renderer> renderer;
   TargetSpec spec{.width = 32, .height = 32, .depth = DepthFormat::depth24_stencil8};
 
@@ -94,8 +95,9 @@ struct Stage {
     (list.push_back(std::move(features)), ...);
     renderer = std::make_unique<Renderer>(gl(), shaders.implementations(), fake_transforms(), std::move(list), chain);
   }
-  Image draw(const Scene& scene, View view) {
-    renderer->prepare(scene);
+  Image draw(const Scene& drawn, View view) {
+    prepared = drawn;
+    renderer->prepare(prepared);
     return draw_again(view);
   }
   Image draw_again(const View& view) {

@@ -46,10 +46,12 @@ TEST_CASE("features fill one slot in the order of the list", "[slots]") {
     const Scene scene = triangle_scene();
     return middle(stage.draw(scene, {.camera = scene.camera, .output = "texcoord"})).r;
   };
-  Stage bare;
-  bare.open({});
-  const Scene scene = triangle_scene();
-  const float u = middle(bare.draw(scene, {.camera = scene.camera, .output = "texcoord"})).r;
+  const float u = [] {
+    Stage bare;
+    bare.open({});
+    const Scene scene = triangle_scene();
+    return middle(bare.draw(scene, {.camera = scene.camera, .output = "texcoord"})).r;
+  }();
   CHECK(texcoord(true) == 2 * u + 0.125f);
   CHECK(texcoord(false) == 2 * (u + 0.125f));
 }
