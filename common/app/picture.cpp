@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/frame_settings.hpp"
 #include "base/error.hpp"
 #include "gl/debug.hpp"
+#include "image/average.hpp"
 
 namespace atelier {
 
@@ -38,6 +40,12 @@ void check_output(const StepDescription& description, const std::string& output)
   }
 }
 
+Encoding encoding_of(const StepDescription& description, const std::string& output) {
+  for (const OutputSpec& spec : description.outputs)
+    if (spec.name == output) return spec.encoding;
+  return Encoding::data;
+}
+
 Settings settings_for(const StepDescription& description, const Case& c) {
   Settings settings(description.settings);
   for (const auto& [name, value] : c.settings) settings.set(name, value);
@@ -60,6 +68,7 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
   {
     const DebugGroup group(gl(), "frame");
     program_.draw(frame, settings);
+    frame.target.resolve(gl());
   }
   gl().Finish();  // the commands are only queued until then
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
@@ -67,22 +76,38 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
   return taken.count();
 }
 
+namespace {
+
+/// Refuses in the words of the setting what the target would refuse in its own.
+void check_supersampling(const Gl& gl, glm::ivec2 size, int factor, int samples) {
+  const int longest = longest_side(gl, samples);
+  if (factor == 1 || std::max(size.x, size.y) * factor <= longest) return;
+  throw Error(
+      fmt::format("frame.supersampling={}: a picture of {}x{} would be drawn as {}x{} pixels, and this driver "
+                  "has sides up to {}; choose a smaller factor or a smaller picture",
+                  factor, size.x, size.y, size.x * factor, size.y * factor, longest));
+}
+
+}  // namespace
+
 Image Painter::paint(const Case& picture, double time) {
   const StepDescription& description = program_.description();
   check_output(description, picture.output);
   const Settings settings = settings_for(description, picture);
   program_.load(picture.scene.empty() ? description.scenes.at(0) : picture.scene, settings);
-  const Target& target = target_for({.width = picture.size.x,
-                                     .height = picture.size.y,
-                                     .colour = ColourFormat::rgba32f,
-                                     .depth = program_.depth_format(settings)});
+  const Encoding encoding = encoding_of(description, picture.output);
+  const int factor = supersampling_of(encoding, settings);
+  const TargetSpec spec = frame_target(picture.size * factor, encoding, program_.depth_format(settings), settings);
+  check_supersampling(gl(), picture.size, factor, spec.samples);
+  const Target& target = target_for(spec);
   const Frame frame{target, apply(picture.camera, program_.camera()), picture.output, time};
   constexpr int warming_up = 2;
   for (int i = 0; i < (timed_frames_ > 0 ? warming_up : 1); ++i) draw(frame, settings);
   std::vector<double> seconds;
   for (int i = 0; i < timed_frames_; ++i) seconds.push_back(draw(frame, settings));
   if (!seconds.empty()) cost_.frames = timings_of(seconds);
-  return target.read_colour(gl());
+  Image drawn = target.read_colour(gl());
+  return factor > 1 ? averaged(drawn, factor, encoding) : drawn;
 }
 
 std::vector<Numbers> Painter::probe(const Case& values) {

@@ -19,12 +19,16 @@ Settings settings_for(const StepDescription& description, const Case& c);
 /// Throws Error with the outputs that there are, unless the program has this one.
 void check_output(const StepDescription& description, const std::string& output);
 
+/// Of one of the program's outputs; data for others, which the ground truth alone can show.
+Encoding encoding_of(const StepDescription& description, const std::string& output);
+
 class Painter {
  public:
   /// Opens `program` on `context`; both must outlive the painter.
   Painter(StepProgram& program, HeadlessContext& context, const Implementations& implementations);
 
-  /// Draws a picture case. Throws Error where a scene, a setting or an output is unknown.
+  /// Draws a picture case, into the target that app/frame_settings.hpp says. Throws Error where a scene, a setting or
+  /// an output is unknown, and where the driver has no target of the size that "frame.supersampling" makes of it.
   Image paint(const Case& picture, double time = 0);
 
   /// From then on each picture is drawn twice unwatched (shaders are compiled, caches filled) and then `frames` times

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "app/frame_settings.hpp"
 #include "scene/depth_range.hpp"
 #include "scene_import/scene_import.hpp"
 
@@ -63,6 +64,7 @@ SceneProgram::SceneProgram(StepDescription description, TransformFunctions trans
       make_scene_(std::move(make_scene)),
       make_truth_(std::move(make_truth)) {
   description_.imports = true;
+  for (SettingSpec& spec : frame_settings()) description_.settings.push_back(std::move(spec));
   description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
   description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
   description_.outputs.push_back({"position", Encoding::data, "the position in world space, metres"});

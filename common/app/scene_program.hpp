@@ -17,7 +17,8 @@ class SceneProgram : public StepProgram {
   using MakeFeatures = std::function<std::vector<std::unique_ptr<Feature>>()>;
   using MakeScene = std::function<Scene(const std::string& name, const Settings& settings)>;
 
-  /// The description's outputs are completed by the renderer's own. Without `make_truth` there is no ground truth.
+  /// The description's outputs are completed by the renderer's own, its settings by those of the frame. Without
+  /// `make_truth` there is no ground truth.
   SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene,
                MakeTruth make_truth = {});
 

@@ -20,12 +20,6 @@ namespace atelier {
 
 namespace {
 
-Encoding encoding_of(const StepDescription& description, const std::string& output) {
-  for (const OutputSpec& spec : description.outputs)
-    if (spec.name == output) return spec.encoding;
-  return Encoding::data;  // what the ground truth alone can show
-}
-
 /// Refuses a camera that nothing depends on, before anything is drawn.
 void check_has_camera(const StepDescription& description, const CommandLine& line) {
   const bool turning = !line.record.empty() && !line.vary;

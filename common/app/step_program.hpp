@@ -29,13 +29,13 @@ struct OutputSpec {
 
 /// What --list prints.
 struct StepDescription {
-  std::string name;                 ///< "01-transforms"
-  std::string title;                ///< "Transforms and vertex buffers"
-  bool imports = false;             ///< whether --scene takes model files too
-  bool camera = true;               ///< whether there is anything that a camera would see otherwise from elsewhere
-  std::vector<std::string> scenes;  ///< the first is the default
-  std::vector<SettingSpec> settings;
-  std::vector<OutputSpec> outputs;  ///< "colour" first
+  std::string name;                   ///< "01-transforms"
+  std::string title;                  ///< "Transforms and vertex buffers"
+  bool imports = false;               ///< whether --scene takes model files too
+  bool camera = true;                 ///< whether there is anything that a camera would see otherwise from elsewhere
+  std::vector<std::string> scenes;    ///< the first is the default
+  std::vector<SettingSpec> settings;  ///< with those of app/frame_settings.hpp
+  std::vector<OutputSpec> outputs;    ///< "colour" first
   std::map<std::string, Probe> probes;
 };
 

@@ -73,6 +73,7 @@ ChainRunner::Pictures ChainRunner::draw_scene(const std::vector<ChainPass>& pass
   spec.colour = format;
   Pictures pictures{.scene = pool_.take(spec)};
   draw("colour", *pictures.scene);
+  pictures.scene->resolve(gl_);
   spec.depth = DepthFormat::none;
   spec.samples = 1;
   for (auto& turn : pictures.turns) turn = pool_.take(spec);

@@ -312,7 +312,6 @@ void Renderer::draw_with_chain(const View& view, const Target& target) {
     View drawn = view;
     drawn.output = output;
     draw_scene(drawn, into);
-    into.resolve(gl_);
   };
   const std::vector<ChainPass> active = passes_to_run(all, view.output);
   if (!active.empty()) return chain_.run(active, chain_format_.value_or(target.spec().colour), target, draw);
@@ -355,6 +354,7 @@ void Renderer::paint(const PassSources& pass, std::span<const int> items, const 
 void Renderer::draw_view(const View& view, const Target& target) {
   const DebugGroup group(gl_, "view");
   draw_with_chain(view, target);
+  target.resolve(gl_);
 }
 
 /// Draws the surface of an opening in one colour, as it stands in the view around.

@@ -1,4 +1,5 @@
 // 00-hello: one triangle. Nothing here is to be changed; it is short enough to read.
+#include "app/frame_settings.hpp"
 #include "app/step_program.hpp"
 #include "gl/debug.hpp"
 #include "gl/shader.hpp"
@@ -78,6 +79,7 @@ class Hello : public StepProgram {
                                .title = "Hello, triangle",
                                .camera = false,
                                .scenes = {"triangle"},
+                               .settings = frame_settings(),
                                .outputs = {{"colour", Encoding::linear, "what is seen"}}};
   Gl* gl_ = nullptr;
   Implementations implementations_;

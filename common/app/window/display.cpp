@@ -202,6 +202,7 @@ std::vector<Event> Display::wait(double seconds) {
 
 void Display::bind() {
   gl_->BindFramebuffer(GL_FRAMEBUFFER, 0);
+  gl_->Disable(GL_FRAMEBUFFER_SRGB);
 }
 void Display::present() {
   glfwSwapBuffers(window_);

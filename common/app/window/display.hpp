@@ -38,7 +38,7 @@ class Display {
   /// What has happened since the last call; waits up to `seconds` for the first event, not at all for 0.
   std::vector<Event> wait(double seconds);
 
-  /// Binds the window's own framebuffer for drawing.
+  /// Binds the window's own framebuffer for drawing colours that are encoded already.
   void bind();
   /// Brings what was drawn onto the screen, in step with its refreshes.
   void present();

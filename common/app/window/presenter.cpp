@@ -57,6 +57,7 @@ void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& 
   gl_.Disable(GL_CULL_FACE);
   gl_.Disable(GL_BLEND);
   gl_.Disable(GL_SCISSOR_TEST);
+  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // the shader encodes, and some windows would do so too
   gl_.UseProgram(program_.id());
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == Encoding::linear);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <glm/gtc/constants.hpp>
 
+#include "app/frame_settings.hpp"
 #include "app/picture.hpp"
 #include "base/error.hpp"
 #include "case/suggest.hpp"
@@ -47,7 +48,10 @@ std::string words_of(Attempt&& attempt) {
 }  // namespace
 
 Viewer::Viewer(StepProgram& program, Gl& gl, const Implementations& implementations, const CommandLine& line)
-    : program_(program), gl_(gl), settings_(program.description().settings), first_camera_(line.picture.camera) {
+    : program_(program),
+      gl_(gl),
+      settings_(with_window_defaults(program.description().settings, most_samples(gl))),
+      first_camera_(line.picture.camera) {
   const StepDescription& described = description();
   if (described.scenes.empty()) throw Error(fmt::format("{}: it describes no scene to show", described.name));
   scene_ = line.picture.scene.empty() ? described.scenes.front() : line.picture.scene;
@@ -58,9 +62,7 @@ Viewer::Viewer(StepProgram& program, Gl& gl, const Implementations& implementati
 }
 
 Encoding Viewer::encoding() const {
-  for (const OutputSpec& spec : description().outputs)
-    if (spec.name == output_) return spec.encoding;
-  return Encoding::linear;
+  return encoding_of(description(), output_);
 }
 
 void Viewer::choose_scene(const std::string& name) {
@@ -79,7 +81,7 @@ void Viewer::set(const std::string& name, const SettingValue& value) {
 }
 
 void Viewer::reset_settings() {
-  settings_ = Settings(description().settings);
+  settings_ = Settings(settings_.specs());
   must_load_ = true;
 }
 
@@ -149,6 +151,7 @@ void Viewer::draw_into(const Target& target) {
   {
     const DebugGroup group(gl_, "frame");
     program_.draw({target, camera(), output_, time_}, settings_);
+    target.resolve(gl_);
   }
   gl_.Finish();  // the commands are only queued until then
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
@@ -160,10 +163,7 @@ bool Viewer::draw() {
   if (!must_draw_ || !loaded_) return false;
   must_draw_ = false;
   trouble.drawing = words_of([&] {
-    const TargetSpec spec{.width = size_.x,
-                          .height = size_.y,
-                          .colour = ColourFormat::rgba32f,
-                          .depth = program_.depth_format(settings_)};
+    const TargetSpec spec = frame_target(size_, encoding(), program_.depth_format(settings_), settings_);
     if (!spare_ || spare_->spec() != spec) {
       spare_.reset();  // free the old one before the new one is made
       spare_ = std::make_unique<Target>(gl_, spec);

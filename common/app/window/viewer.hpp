@@ -25,8 +25,9 @@ struct Trouble {
 
 class Viewer {
  public:
-  /// Opens the program and takes scene, output, settings and camera from the command line. Throws Error where one of
-  /// them is unknown or out of range; what fails later becomes `trouble`. The program and `gl` must outlive the viewer.
+  /// Opens the program and takes scene, output, settings and camera from the command line; settings that it does not
+  /// name have the defaults of a window (app/frame_settings.hpp). Throws Error where one of them is unknown or out of
+  /// range; what fails later becomes `trouble`. The program and `gl` must outlive the viewer.
   Viewer(StepProgram& program, Gl& gl, const Implementations& implementations, const CommandLine& line);
 
   // What is shown. Every change asks for a new drawing.

@@ -1,4 +1,5 @@
 // shadow-demo: the demos as one program with a step's command line.
+#include "app/frame_settings.hpp"
 #include "shadow-demo/demo.hpp"
 
 namespace atelier::shadow_demo {
@@ -29,6 +30,7 @@ class ShadowDemo : public StepProgram {
       .name = "shadow-demo",
       .title = "LearnOpenGL's demos of shadows, rebuilt",
       .scenes = {"cubes", "cube-room"},
+      .settings = frame_settings(),
       .outputs = {{"colour", Encoding::linear, "what is seen"},
                   {"shadow_factor", Encoding::data, "the share of the light that arrives: 1 lit, 0 in shadow"}}};
   Gl* gl_ = nullptr;

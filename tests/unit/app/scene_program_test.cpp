@@ -39,6 +39,15 @@ TEST_CASE("a scene program offers the renderer's intermediates beside its own ou
   CHECK(names == std::vector<std::string>{"colour", "depth", "normal", "position", "texcoord"});
 }
 
+TEST_CASE("a scene program has the settings of the frame behind its own", "[scene_program]") {
+  const test::FakeStep step;
+  std::vector<std::string> names;
+  for (const SettingSpec& spec : step.description().settings) names.push_back(spec.name);
+  REQUIRE(names.size() > 4);
+  CHECK(std::vector<std::string>(names.end() - 4, names.end()) ==
+        std::vector<std::string>{"segments", "frame.format", "frame.samples", "frame.supersampling"});
+}
+
 TEST_CASE("the view settings have their effect", "[scene_program]") {
   const TemporaryFolder folder;
   test::write_fake_shaders(folder.path());

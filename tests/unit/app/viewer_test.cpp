@@ -19,6 +19,9 @@ CommandLine plain_line() {
   return line;
 }
 
+/// The frame's settings with which a window shows exactly what --out draws.
+const std::vector<std::pair<std::string, std::string>> as_written = {{"frame.format", "32f"}, {"frame.samples", "1"}};
+
 /// A viewer over the fake step, on a context without a window.
 struct Room {
   TemporaryFolder folder;
@@ -111,7 +114,8 @@ TEST_CASE("a viewer shows what --out draws, to the bit", "[viewer]") {
   CommandLine line = plain_line();
   line.picture.scene = "ring";
   line.picture.camera.eye = glm::dvec3(0.1, 0.7, 2);
-  line.settings = {{"tint.colour", "blue"}};
+  line.settings = as_written;
+  line.settings.emplace_back("tint.colour", "blue");
   Room room(line);
   REQUIRE(room.viewer->draw());
   const Image seen = room.picture();
@@ -121,6 +125,53 @@ TEST_CASE("a viewer shows what --out draws, to the bit", "[viewer]") {
   test::FakeStep other;
   Painter painter(other, *room.context, room.implementations());
   CHECK(painter.paint(picture) == seen);
+}
+
+TEST_CASE("a viewer draws 8 bits and 4 samples unless it is told otherwise, and data exactly", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  const auto spec_of = [&] {
+    viewer.draw();
+    return viewer.picture()->spec();
+  };
+  const TargetSpec own{.width = 48, .height = 32, .colour = ColourFormat::srgb8, .samples = 4};
+  CHECK(spec_of() == own);
+  const TargetSpec exact{.width = 48, .height = 32};
+  viewer.choose_output("normal");
+  CHECK(spec_of() == exact);
+  viewer.choose_output("colour");
+  viewer.set("frame.format", std::string("32f"));
+  viewer.set("frame.samples", std::string("1"));
+  CHECK(spec_of() == exact);
+  CHECK(viewer.command_line(plain_line()).settings == as_written);  // a restart keeps what was chosen
+  viewer.reset_settings();
+  CHECK(spec_of() == own);
+  CHECK(viewer.command_line(plain_line()).settings.empty());
+  viewer.set("frame.supersampling", 4);  // of written pictures
+  CHECK(spec_of() == own);
+}
+
+TEST_CASE("a viewer's picture is that of --out with the window's settings", "[viewer]") {
+  Room room;
+  REQUIRE(room.viewer->draw());
+  // As the presenter reads it: from the texture, which the samples have been brought into.
+  const Target screen(room.context->gl(), {.width = 48, .height = 32, .depth = DepthFormat::none});
+  Presenter presenter(room.context->gl());
+  screen.bind(room.context->gl());
+  presenter.draw(*room.viewer->picture(), Encoding::linear, {{0, 0}, {48, 32}});
+  const Image shown = read_framebuffer(room.context->gl(), {48, 32});
+
+  Case picture = plain_line().picture;
+  picture.settings["frame.format"] = std::string("8");
+  picture.settings["frame.samples"] = std::string("4");
+  test::FakeStep other;
+  Painter painter(other, *room.context, room.implementations());
+  const Image expected = srgb_encode(painter.paint(picture));
+  for (std::size_t i = 0; i < shown.pixels().size(); ++i) {
+    const Rgba &a = shown.pixels()[i], &b = expected.pixels()[i];
+    REQUIRE(std::lround(a.r * 255) == std::lround(b.r * 255));  // code for code, as the screen shows them
+    REQUIRE(std::lround(a.b * 255) == std::lround(b.b * 255));
+  }
 }
 
 TEST_CASE("the camera turns, and a reset brings back the scene's own", "[viewer]") {
@@ -356,5 +407,26 @@ TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[p
     CHECK(shown.at(1, 2).g == Approx(row.shown.g).margin(4e-4));
     CHECK(shown.at(1, 1).b == Approx(row.shown.b).margin(4e-4));
     CHECK(shown.at(2, 1) == Rgba{0, 0, 0, 1});  // beside its area nothing is drawn
+  }
+}
+
+TEST_CASE("the presenter shows sRGB codes as what they are, once", "[presenter]") {
+  const auto context = make_headless_context();
+  Gl& gl = context->gl();
+  const Target source(gl, {.width = 1, .height = 1, .colour = ColourFormat::srgb8, .depth = DepthFormat::none});
+  // A window's framebuffer may be one that encodes by itself: it must not.
+  const Target plain(gl, {.width = 1, .height = 1, .colour = ColourFormat::rgba8, .depth = DepthFormat::none}),
+      encoding(gl, source.spec());
+  Presenter presenter(gl);
+  for (int code = 0; code < 256; ++code) {
+    const float light = linear_of_code(std::uint8_t(code)), colour[4] = {light, light, light, 1};
+    for (const Target* screen : {&plain, &encoding}) {
+      INFO("code " << code << " on " << to_string(screen->spec()));
+      source.bind(gl);
+      gl.ClearBufferfv(GL_COLOR, 0, colour);
+      screen->bind(gl);
+      presenter.draw(source, Encoding::linear, {{0, 0}, {1, 1}});
+      REQUIRE(std::lround(read_framebuffer(gl, {1, 1}).at(0, 0).g * 255) == code);
+    }
   }
 }

@@ -83,6 +83,7 @@ TEST_CASE("a window opens, shows what --out draws, and quits", "[window]") {
   Case picture;
   picture.scene = "ring";
   picture.size = {320, 240};
+  picture.settings = {{"frame.format", std::string("8")}, {"frame.samples", std::string("4")}};  // a window's defaults
   const Image expected = srgb_encode(painter.paint(picture));
   int different = 0;
   for (int y = 0; y < 240; ++y)
