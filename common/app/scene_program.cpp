@@ -32,6 +32,23 @@ Scene import_aloud(const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+/// How pictures between two passes are stored; none: as the picture itself.
+std::optional<ColourFormat> chain_format(const StepDescription& description, const Settings& settings) {
+  if (!lists(description, "chain.format")) return {};
+  const std::string& format = settings.choice("chain.format");
+  if (format == "frame") return {};
+  return format == "8" ? ColourFormat::srgb8 : format == "16f" ? ColourFormat::rgba16f : ColourFormat::rgba32f;
+}
+
+/// The same depth with a stencil buffer beside it. There is none of 16 bits.
+DepthFormat with_stencil(DepthFormat format) {
+  return format == DepthFormat::depth32f ? DepthFormat::depth32f_stencil8 : DepthFormat::depth24_stencil8;
+}
+
+}  // namespace
+
 bool lists(const StepDescription& description, const std::string& setting) {
   return std::any_of(description.settings.begin(), description.settings.end(),
                      [&](const SettingSpec& spec) { return spec.name == setting; });
@@ -56,13 +73,21 @@ std::vector<SettingSpec> view_settings() {
   };
 }
 
+SettingSpec chain_format_setting() {
+  return {.name = "chain.format",
+          .fallback = std::string("frame"),
+          .choices = {"frame", "32f", "16f", "8"},
+          .help = "how pictures between two passes are stored; frame: as the picture itself"};
+}
+
 SceneProgram::SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features,
-                           MakeScene make_scene, MakeTruth make_truth)
+                           MakeScene make_scene, MakeTruth make_truth, ChainFunctions chain)
     : description_(std::move(description)),
       transforms_(std::move(transforms)),
       make_features_(std::move(features)),
       make_scene_(std::move(make_scene)),
-      make_truth_(std::move(make_truth)) {
+      make_truth_(std::move(make_truth)),
+      chain_(std::move(chain)) {
   description_.imports = true;
   for (SettingSpec& spec : frame_settings()) description_.settings.push_back(std::move(spec));
   description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
@@ -72,7 +97,7 @@ SceneProgram::SceneProgram(StepDescription description, TransformFunctions trans
 }
 
 void SceneProgram::open(Gl& gl, const Implementations& implementations) {
-  renderer_ = std::make_unique<Renderer>(gl, implementations, transforms_, make_features_());
+  renderer_ = std::make_unique<Renderer>(gl, implementations, transforms_, make_features_(), chain_);
 }
 
 void SceneProgram::load(const std::string& scene, const Settings& settings) {
@@ -81,15 +106,17 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene_(scene, settings);
   boxes_.clear();
-  renderer_->configure(settings);
+  renderer_->configure(settings, chain_format(description_, settings));
   renderer_->prepare(scene_);
   loaded_ = std::move(wanted);
 }
 
 DepthFormat SceneProgram::depth_format(const Settings& settings) const {
-  if (!lists(description_, "depth.format")) return DepthFormat::depth24;
-  const std::string& format = settings.choice("depth.format");
-  return format == "16" ? DepthFormat::depth16 : format == "24" ? DepthFormat::depth24 : DepthFormat::depth32f;
+  const std::string format = lists(description_, "depth.format") ? settings.choice("depth.format") : "24";
+  const DepthFormat plain = format == "16"   ? DepthFormat::depth16
+                            : format == "24" ? DepthFormat::depth24
+                                             : DepthFormat::depth32f;
+  return renderer_ && renderer_->needs_stencil() ? with_stencil(plain) : plain;
 }
 
 void SceneProgram::draw(const Frame& frame, const Settings& settings) {

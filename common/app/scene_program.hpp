@@ -19,8 +19,9 @@ class SceneProgram : public StepProgram {
 
   /// The description's outputs are completed by the renderer's own, its settings by those of the frame. Without
   /// `make_truth` there is no ground truth.
+  /// `chain` runs the passes of features that have some.
   SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene,
-               MakeTruth make_truth = {});
+               MakeTruth make_truth = {}, ChainFunctions chain = {});
 
   const StepDescription& description() const override { return description_; }
   void open(Gl& gl, const Implementations& implementations) override;
@@ -38,6 +39,7 @@ class SceneProgram : public StepProgram {
   MakeFeatures make_features_;
   MakeScene make_scene_;
   MakeTruth make_truth_;
+  ChainFunctions chain_;
   Scene scene_;
   std::vector<Box3> boxes_;  ///< of the scene's nodes; empty until somebody asks
   std::unique_ptr<Renderer> renderer_;
@@ -54,6 +56,10 @@ class SceneProgram : public StepProgram {
 /// "camera.fit_depth", "draw.cull". A program that lists them gets their effect. One that does not leaves out what is
 /// outside the view: it stands on matrices that are right, while step 01 must show what wrong ones do.
 std::vector<SettingSpec> view_settings();
+
+/// "chain.format": how pictures between the passes of a chain are stored. A program that does not list it stores them
+/// as the picture itself.
+SettingSpec chain_format_setting();
 
 /// Whether a program has a setting of this name.
 bool lists(const StepDescription& description, const std::string& setting);

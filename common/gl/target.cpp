@@ -174,6 +174,10 @@ std::string to_string(const TargetSpec& spec) {
                      facts(spec.depth).name, spec.samples == 1 ? "" : fmt::format(", {} samples", spec.samples));
 }
 
+GLenum internal_format(ColourFormat format) {
+  return facts(format).internal;
+}
+
 std::size_t bytes(const TargetSpec& spec) {
   std::int64_t texel = 0;
   if (spec.colour != ColourFormat::none) texel += texel_bytes(facts(spec.colour).internal);
@@ -191,7 +195,10 @@ int most_samples(const Gl& gl) {
   return std::max(integer_of(gl, GL_MAX_SAMPLES), 1);
 }
 
-Target::Target(Gl& gl, const TargetSpec& spec) : spec_(spec) {
+Target::Target(Gl& gl, const TargetSpec& spec) : Target(gl, spec, nullptr) {}
+Target::Target(Gl& gl, const TargetSpec& spec, const CubeFace& face) : Target(gl, spec, &face) {}
+
+Target::Target(Gl& gl, const TargetSpec& spec, const CubeFace* face) : spec_(spec) {
   check(gl, spec);
   check_gl_error(gl, "something before a target is made");
   const KeptBindings kept(gl);
@@ -200,7 +207,11 @@ Target::Target(Gl& gl, const TargetSpec& spec) : spec_(spec) {
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, format.attachment, GL_TEXTURE_2D, texture.id(), 0);
   };
   framebuffer_ = make_framebuffer(gl, spec, [&] {
-    if (spec.colour != ColourFormat::none) attach_texture(facts(spec.colour), colour_);
+    if (face)
+      gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face->face),
+                              face->texture, 0);
+    else if (spec.colour != ColourFormat::none)
+      attach_texture(facts(spec.colour), colour_);
     if (spec.depth != DepthFormat::none) attach_texture(facts(spec.depth), depth_);
   });
   if (spec.samples == 1) return;

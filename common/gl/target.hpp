@@ -22,6 +22,8 @@ struct TargetSpec {
   bool operator==(const TargetSpec&) const = default;
 };
 
+GLenum internal_format(ColourFormat format);  ///< as OpenGL calls it: GL_RGBA32F ...
+
 std::string to_string(const TargetSpec& spec);  ///< "640x480, colour rgba32f, depth depth24", ", 4 samples" if so
 
 /// Of all attachments together, by the formats' nominal sizes; with several samples these are the samples and the
@@ -42,9 +44,18 @@ int most_samples(const Gl& gl);
 class Target {
  public:
   Target(Gl& gl, const TargetSpec& spec);
+
+  /// A side of a cube map that somebody else owns, of the spec's colour format and, square, of its size.
+  struct CubeFace {
+    GLuint texture = 0;
+    int face = 0;  ///< +x, -x, +y, -y, +z, -z
+  };
+  /// The same with that side as its colour texture.
+  Target(Gl& gl, const TargetSpec& spec, const CubeFace& face);
+
   const TargetSpec& spec() const { return spec_; }
   GLuint framebuffer() const { return framebuffer_.id(); }  ///< what is drawn into
-  GLuint colour_texture() const { return colour_.id(); }    ///< 0 where there is none
+  GLuint colour_texture() const { return colour_.id(); }    ///< 0 where there is none of its own
   GLuint depth_texture() const { return depth_.id(); }      ///< 0 where there is none
 
   /// Binds it for drawing, sets the viewport to all of it, and has OpenGL encode what is drawn (GL_FRAMEBUFFER_SRGB)
@@ -64,6 +75,7 @@ class Target {
   Image read_depth(Gl& gl) const;
 
  private:
+  Target(Gl& gl, const TargetSpec& spec, const CubeFace* face);
   GLuint textures_framebuffer() const { return resolved_ ? resolved_.id() : framebuffer_.id(); }
 
   TargetSpec spec_;

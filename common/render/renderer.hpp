@@ -84,6 +84,7 @@ class Renderer : private ScenePainter {
   std::span<const Item> items() const override { return nodes_->items(); }
   void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) override;
   void draw_view(const View& view, const Target& target) override;
+  TargetPool& targets() override { return pool_; }
   void draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
                         const NestingFunctions& functions) override;
 

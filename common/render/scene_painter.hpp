@@ -8,6 +8,7 @@
 
 #include "gl/target.hpp"
 #include "render/binder.hpp"
+#include "render/target_pool.hpp"
 #include "render/view.hpp"
 
 namespace atelier {
@@ -59,6 +60,9 @@ class ScenePainter {
   /// Draws a view into a target of the feature's own, as `render` would: a preview, the side of a cube. To be called
   /// from Feature::draw_views.
   virtual void draw_view(const View& view, const Target& target) = 0;
+
+  /// Targets for such views, which a frame lends out and uses again.
+  virtual TargetPool& targets() = 0;
 
   /// Draws a view inside another one, where the item `opening` is seen in it: marks that place in the stencil buffer,
   /// clears it to the background and the farthest depth, draws, and puts back the opening's depth and the mark. The

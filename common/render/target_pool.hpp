@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "gl/cube_target.hpp"
 #include "gl/target.hpp"
 
 namespace atelier {
@@ -14,20 +15,40 @@ class TargetPool {
 
   /// A target of this kind that nobody else has, as long as the returned pointer lives. What it holds is left over from
   /// earlier use.
-  std::shared_ptr<const Target> take(const TargetSpec& spec);
+  std::shared_ptr<const Target> take(const TargetSpec& spec) { return take_from(targets_, spec); }
+  /// The same with six sides.
+  std::shared_ptr<const CubeTarget> take(const CubeTargetSpec& spec) { return take_from(cubes_, spec); }
 
   /// Frees what was not used since the last call: to be called once for each frame.
   void end_frame();
 
-  std::size_t size() const { return entries_.size(); }  ///< targets that it holds, lent or not
+  std::size_t size() const { return targets_.size() + cubes_.size(); }  ///< that it holds, lent or not
 
  private:
+  template <class Kind>
   struct Entry {
-    std::shared_ptr<const Target> target;  ///< lent where somebody else holds it too
-    bool used = true;                      ///< since the last end_frame
+    std::shared_ptr<const Kind> target;  ///< lent where somebody else holds it too
+    bool used = true;                    ///< since the last end_frame
   };
+  template <class Kind, class Spec>
+  std::shared_ptr<const Kind> take_from(std::vector<Entry<Kind>>& entries, const Spec& spec);
+  template <class Kind>
+  void end_frame_of(std::vector<Entry<Kind>>& entries);
+
   Gl& gl_;
-  std::vector<Entry> entries_;
+  std::vector<Entry<Target>> targets_;
+  std::vector<Entry<CubeTarget>> cubes_;
 };
+
+template <class Kind, class Spec>
+std::shared_ptr<const Kind> TargetPool::take_from(std::vector<Entry<Kind>>& entries, const Spec& spec) {
+  for (Entry<Kind>& entry : entries)
+    if (entry.target.use_count() == 1 && entry.target->spec() == spec) {
+      entry.used = true;
+      return entry.target;
+    }
+  entries.push_back({std::make_shared<const Kind>(gl_, spec)});
+  return entries.back().target;
+}
 
 }  // namespace atelier

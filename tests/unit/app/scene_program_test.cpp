@@ -90,6 +90,42 @@ TEST_CASE("a program without view settings draws with the defaults", "[scene_pro
   CHECK(program.depth_format(Settings()) == DepthFormat::depth24);
 }
 
+TEST_CASE("a target has a stencil buffer where a feature draws views inside views, and only there", "[scene_program]") {
+  struct Portals : Feature {
+    bool there = false;
+    void prepare(Gl&, const Scene& scene) override { there = scene.name == "box"; }
+    bool needs_stencil(const Scene&) const override { return there; }
+    Need need(const Scene&, const View&, const Node&) const override { return {}; }
+  };
+  const TemporaryFolder folder;
+  test::write_fake_shaders(folder.path());
+  const auto context = make_headless_context();
+  SceneProgram program(
+      {.name = "00-bare", .title = "bare", .scenes = {"box", "other"}, .settings = view_settings()},
+      test::fake_transforms(),
+      [] {
+        std::vector<std::unique_ptr<Feature>> list;
+        list.push_back(std::make_unique<Portals>());
+        return list;
+      },
+      [](const std::string& name, const Settings&) { return Scene{.name = name}; });
+  program.open(context->gl(), Implementations({{folder.path(), ""}}));
+  const struct {
+    const char* scene;
+    const char* format;
+    DepthFormat expected;
+  } rows[] = {{"box", "16", DepthFormat::depth24_stencil8},   {"box", "24", DepthFormat::depth24_stencil8},
+              {"box", "32f", DepthFormat::depth32f_stencil8}, {"other", "16", DepthFormat::depth16},
+              {"other", "24", DepthFormat::depth24},          {"box", "32f-reversed", DepthFormat::depth32f_stencil8}};
+  for (const auto& row : rows) {
+    INFO(row.scene << ", " << row.format);
+    Settings settings(program.description().settings);
+    settings.set("depth.format", row.format);
+    program.load(row.scene, settings);
+    CHECK(program.depth_format(settings) == row.expected);
+  }
+}
+
 TEST_CASE("the scene's own camera comes with it", "[scene_program]") {
   const TemporaryFolder folder;
   test::write_fake_shaders(folder.path());

@@ -1,6 +1,7 @@
 // A view inside a view, marked in the stencil buffer: a window in a wall through which the scene is seen from
 // elsewhere.
 #include "catch.hpp"
+#include "gl/state.hpp"
 #include "pieces.hpp"
 
 namespace {
@@ -267,4 +268,83 @@ TEST_CASE("a feature draws whole views into targets of its own before the frame"
   CHECK(is(picture.at(16, 16), green));
   CHECK(is(seen.target->read_colour(stage.gl()).at(4, 4), red));
   CHECK(seen.asked == 1);
+}
+
+TEST_CASE("six views fill the sides of a cube, as OpenGL looks them up", "[nested]") {
+  // A ball of six squares around the origin, each in the colour of the direction that it stands in.
+  struct AllRound : Piece {
+    std::vector<Image> sides;
+    std::vector<Rgba> looked_up;
+    void draw_views(Gl& gl, const Scene& scene, const Viewpoint&, ScenePainter& painter) override {
+      const auto cube = painter.targets().take(CubeTargetSpec{.edge = 8});
+      static const glm::vec3 ahead[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+      static const glm::vec3 up[] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
+      sides.clear();
+      for (int side = 0; side < 6; ++side) {
+        View view{.camera = scene.camera};
+        view.world_to_view = glm::lookAt(glm::vec3(0), ahead[side], up[side]);
+        view.projection = glm::perspective(glm::radians(90.0f), 1.0f, 0.5f, 10.0f);
+        painter.draw_view(view, cube->face(side));
+        sides.push_back(cube->face(side).read_colour(gl));
+      }
+      look_up(gl, cube->texture());
+    }
+    /// In all six directions, by a shader.
+    void look_up(Gl& gl, GLuint cube) {
+      const auto stage = [](const std::string& text) {
+        return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, text, "cube", {});
+      };
+      const GlProgram program =
+          build_program(gl,
+                        stage("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 "
+                              ": -1.0, 0.0, 1.0); }\n"),
+                        stage("uniform samplerCube u_cube; out vec4 o;\n"
+                              "void main() {\n"
+                              "  int i = int(gl_FragCoord.x); vec3 d = vec3(0.0); d[i / 2] = i % 2 == 0 ? 1.0 : -1.0;\n"
+                              "  o = texture(u_cube, d);\n"
+                              "}\n"));
+      const Target row(gl, {.width = 6, .height = 1, .depth = DepthFormat::none});
+      reset_state(gl);
+      row.bind(gl);
+      gl.UseProgram(program.id());
+      gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube);
+      Uniforms(gl, program.id()).set("u_cube", 0);
+      const GlVertexArray nothing(gl);
+      gl.BindVertexArray(nothing.id());
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+      const Image read = row.read_colour(gl);
+      looked_up.assign(read.pixels().begin(), read.pixels().end());
+    }
+  };
+  Stage stage;
+  auto flat = std::make_unique<Flat>();
+  stage.shaders.write("00-fake/flat.glsl",
+                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
+  auto round = std::make_unique<AllRound>();
+  const AllRound& seen = *round;
+  stage.open({}, std::move(flat), std::move(round));
+  Scene scene = window_scene();
+  scene.materials.clear();
+  scene.nodes.clear();
+  for (int side = 0; side < 6; ++side) {
+    const float sign = side % 2 == 0 ? 1.0f : -1.0f;
+    glm::dvec3 place(0);
+    place[side / 2] = 2 * sign;
+    glm::vec3 colour(0.25f);
+    colour[side / 2] = side % 2 == 0 ? 1.0f : 0.5f;
+    scene.materials.push_back({.name = "side", .diffuse = colour, .two_sided = true});
+    Node node{.name = "side", .translation = place, .mesh = 0, .material = side};
+    if (side / 2 == 0) node.rotation_axis = {0, 1, 0}, node.rotation_angle = glm::radians(90.0f);
+    if (side / 2 == 1) node.rotation_axis = {1, 0, 0}, node.rotation_angle = glm::radians(90.0f);
+    scene.nodes.push_back(node);
+  }
+  stage.draw(scene);
+  REQUIRE(seen.sides.size() == 6);
+  for (int side = 0; side < 6; ++side) {
+    INFO("side " << side);
+    const glm::vec3 colour = scene.materials[std::size_t(side)].diffuse;
+    CHECK(is(seen.sides[std::size_t(side)].at(4, 4), colour));
+    CHECK(is(seen.looked_up.at(std::size_t(side)), colour));
+  }
 }
