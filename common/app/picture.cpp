@@ -9,6 +9,7 @@
 #include "app/frame_settings.hpp"
 #include "base/error.hpp"
 #include "gl/debug.hpp"
+#include "gl/state.hpp"
 #include "image/average.hpp"
 
 namespace atelier {
@@ -121,7 +122,10 @@ std::vector<Numbers> Painter::probe(const Case& values) {
   }
   ProbeContext probe_context{gl(), shader_probe_};
   std::vector<Numbers> results;
-  for (const Arguments& arguments : values.inputs) results.push_back(found->second(probe_context, arguments));
+  for (const Arguments& arguments : values.inputs) {
+    reset_state(gl());
+    results.push_back(found->second(probe_context, arguments));
+  }
   check_gl_error(gl(), ("probe " + values.probe).c_str());  // or the next case would be blamed
   return results;
 }

@@ -6,6 +6,7 @@
 #include "01-transforms/truth.hpp"
 #include "app/scene_program.hpp"
 #include "gl/shader.hpp"
+#include "gl/state.hpp"
 
 namespace atelier {
 
@@ -63,11 +64,10 @@ class Transforms : public SceneProgram {
     const GlVertexArray vertex_array(*gl_, made.vertex_array);
     const GlBuffer vertex_buffer(*gl_, made.vertex_buffer), index_buffer(*gl_, made.index_buffer);
 
+    reset_state(*gl_);  // whatever the picture before this one left behind
     target.bind(*gl_);
     gl_->ClearColor(triangle_background.r, triangle_background.g, triangle_background.b, 1);
     gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    gl_->Disable(GL_CULL_FACE);
-    gl_->Disable(GL_DEPTH_TEST);  // whatever the picture before this one left behind
     if (!vertex_array) return;    // not written yet: nothing to draw
     transforms::set_wireframe(*gl_, wireframe);
     gl_->UseProgram(program.id());

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "gl/query.hpp"
+#include "gl/state.hpp"
 
 namespace atelier {
 
@@ -42,10 +43,7 @@ Numbers depth_pass_state(Gl& gl) {
 
 void end_depth_pass(Gl& gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  gl.DepthMask(GL_TRUE);
-  gl.DepthFunc(GL_LESS);
-  gl.CullFace(GL_BACK);
-  gl.Disable(GL_DEPTH_CLAMP);
+  reset_state(gl);
 }
 
 }  // namespace atelier

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "gl/state.hpp"
+
 namespace atelier {
 
 namespace {
@@ -42,8 +44,8 @@ void MapPicture::draw(Gl& gl, const Target& target, GLuint texture, const std::f
         stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
         stage(fragment_));
   }
-  gl.Disable(GL_DEPTH_TEST);
-  gl.Disable(GL_CULL_FACE);
+  reset_state(gl);
+  target.bind(gl);
   gl.UseProgram(program_.id());
   Uniforms uniforms(gl, program_.id());
   gl.ActiveTexture(GL_TEXTURE0);
@@ -59,7 +61,6 @@ void MapPicture::draw(Gl& gl, const Target& target, GLuint texture, const std::f
     gl.BindVertexArray(0);
   }
   gl.BindTexture(kind_, 0);
-  gl.Enable(GL_DEPTH_TEST);
 }
 
 }  // namespace atelier

@@ -2,6 +2,7 @@
 
 #include "gl/debug.hpp"
 #include "gl/shader.hpp"
+#include "gl/state.hpp"
 
 namespace atelier {
 namespace {
@@ -52,12 +53,8 @@ Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) 
 
 void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& area) {
   const DebugGroup group(gl_, "picture to window");
+  reset_state(gl_);  // no conversion to sRGB either: the shader encodes, and some windows would do so too
   gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
-  gl_.Disable(GL_DEPTH_TEST);
-  gl_.Disable(GL_CULL_FACE);
-  gl_.Disable(GL_BLEND);
-  gl_.Disable(GL_SCISSOR_TEST);
-  gl_.Disable(GL_FRAMEBUFFER_SRGB);  // the shader encodes, and some windows would do so too
   gl_.UseProgram(program_.id());
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == Encoding::linear);
