@@ -17,13 +17,19 @@ trap 'rm -rf "$scratch"' EXIT
 size=320x240
 same=(-define png:exclude-chunks=date,time) # the same picture is the same file
 
-# draw NAME STEP ARGUMENTS...: one picture into the scratch folder
-draw() {
+# plain NAME STEP ARGUMENTS...: one picture into the scratch folder, as the judge sees it: one sample a pixel. For
+# pictures that are about single pixels: noise, moire, wires, what a texture filter leaves.
+plain() {
   local name=$1 step=$2
   shift 2
   (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --size "$size" \
     --out "$scratch/$name.png" "$@" >/dev/null)
 }
+
+# draw NAME STEP ARGUMENTS...: the same without stairs along edges
+draw() { plain "$@" --set frame.supersampling=3; }
+# truth NAME STEP ARGUMENTS...: traced, without stairs
+truth() { plain "$@" --truth --samples 3; }
 
 single() { cp "$scratch/$1.png" "$out/$1.png"; }
 
@@ -58,13 +64,13 @@ draw 00-triangle 00-hello && single 00-triangle
 
 step=01-transforms
 draw 01-triangle $step --scene triangle && single 01-triangle
-draw 01-wireframe $step --scene teapot --set draw.wireframe=on && single 01-wireframe
+plain 01-wireframe $step --scene teapot --set draw.wireframe=on && single 01-wireframe
 draw robot $step --scene robot && draw spiral $step --scene spiral && pair 01-hierarchy robot spiral
 draw teapot $step --scene teapot && draw plan $step --scene plan && pair 01-camera teapot plan
 draw stretched $step --scene stretched && draw normal $step --scene stretched --output normal
 pair 01-normals stretched normal
 draw hall $step --scene hall && draw prism $step --scene hall --set hall.segments=3 && pair 01-hall hall prism
-draw usual $step --scene slats && draw reversed $step --scene slats --set depth.format=32f-reversed
+plain usual $step --scene slats && plain reversed $step --scene slats --set depth.format=32f-reversed
 pair 01-slats usual reversed
 draw far $step --scene far --set world.offset=1000000
 draw near $step --scene far --set world.offset=1000000 world.camera_relative=on
@@ -80,7 +86,7 @@ draw diffuse $step --scene sphere --output diffuse && draw specular $step --scen
 pair 02-parts diffuse specular
 draw spots $step --scene spots && draw lights $step --scene lights && pair 02-lights spots lights
 size=256x192 # fine detail all over: larger ones would weigh over 100 kB
-draw linear $step --scene tiles --set texture.filter=linear && draw mipmap $step --scene tiles
+plain linear $step --scene tiles --set texture.filter=linear && plain mipmap $step --scene tiles
 pair 02-tiles linear mipmap
 size=320x240
 draw plain $step --scene materials && draw normalised $step --scene materials --set specular.normalisation=n+8
@@ -94,8 +100,8 @@ mistakes $step 02-mistakes sphere--{eye-at-origin,missing-n-dot-l,no-attenuation
 step=03-shadow-mapping
 draw 03-teapot $step --scene teapot --set shadow.fit=casters && single 03-teapot
 draw 03-edges $step --scene edges && single 03-edges
-draw stripes $step --scene grazing --set shadow.bias=none shadow.resolution=128
-draw moire $step --scene teapot --set shadow.bias=none && pair 03-acne stripes moire
+plain stripes $step --scene grazing --set shadow.bias=none shadow.resolution=128
+plain moire $step --scene teapot --set shadow.bias=none && pair 03-acne stripes moire
 draw contact $step --scene table --set shadow.resolution=256 shadow.bias=constant shadow.bias_size=2
 draw gap $step --scene table --set shadow.resolution=256 shadow.bias=constant shadow.bias_size=16
 pair 03-panning contact gap
@@ -112,7 +118,7 @@ size=480x360
 for bias in none constant slope normal plane front-faces; do
   draw $bias $step --scene table --set shadow.resolution=128 shadow.bias=$bias
 done
-draw fine $step --scene table --set shadow.resolution=512 && draw table-truth $step --scene table --truth
+draw fine $step --scene table --set shadow.resolution=512 && truth table-truth $step --scene table
 part 240x180+110+40 none constant slope normal plane front-faces fine table-truth
 sheet 03-biases 4 none constant slope normal plane front-faces fine="normal, 512 texels" table-truth=truth
 filter() { draw "$1" $step --scene table --set shadow.resolution=256 "${@:2}"; }
@@ -120,9 +126,9 @@ filter nearest && filter bilinear shadow.filter=bilinear
 filter pcf5 shadow.pcf=5 && filter both shadow.pcf=5 shadow.filter=bilinear
 part 240x150+0+160 nearest bilinear pcf5 both
 sheet 03-filters 4 nearest bilinear pcf5="nearest, 5 x 5" both="bilinear, 5 x 5"
-soft() { draw "$1" $step --scene table --set light.width=0.4 "${@:2}"; }
-soft fixed shadow.pcf=15 && soft pcss shadow.soft=pcss shadow.samples=64
-soft random shadow.soft=pcss shadow.samples=64 shadow.pattern=random && soft soft-truth --truth
+soft() { "$1" "$2" $step --scene table --set light.width=0.4 "${@:3}"; }
+soft draw fixed shadow.pcf=15 && soft draw pcss shadow.soft=pcss shadow.samples=64
+soft plain random shadow.soft=pcss shadow.samples=64 shadow.pattern=random && soft truth soft-truth
 part 240x150+0+160 fixed pcss random soft-truth
 sheet 03-soft 4 fixed="pcf, 15 x 15" pcss="pcss, grid of 64" random="pcss, 64 random" soft-truth=truth
 
@@ -141,7 +147,7 @@ mistakes $step 03-mistakes teapot--{ambient-shadowed,bias-matrix-missing,border-
 # The light goes round.
 (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --scene three-spots \
   --size 240x180 --record "$out/03-light-turn.gif" --frames 36 --vary light.turn=0..360 \
-  --eye 1.8,3.6,5.6 --target 0,0.8,0 --set shadow.filter=bilinear shadow.pcf=3)
+  --eye 1.8,3.6,5.6 --target 0,0.8,0 --set shadow.filter=bilinear shadow.pcf=3 frame.supersampling=3)
 
 step=04-point-shadows
 draw front $step --scene lantern && draw behind $step --scene lantern --set view.turn=140 && pair 04-lantern front behind
