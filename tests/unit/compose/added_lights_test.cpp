@@ -1,0 +1,34 @@
+// Lights that a feature adds to a scene shine as the scene's own do.
+#include "catch.hpp"
+#include "place.hpp"
+
+namespace {
+
+using namespace atelier;
+using namespace atelier::test;
+
+/// A lamp from the left, with shadows.
+Light lamp() {
+  return {.position = {-2, 3, 2}, .colour = {4, 3, 2}};
+}
+
+class Lamp : public Feature {
+  void add_lights(const Scene&, std::vector<Light>& lights) const override { lights.push_back(lamp()); }
+  Need need(const Scene&, const View&, const Node&) const override { return {}; }
+};
+
+}  // namespace
+
+TEST_CASE("a light that a feature adds shines as the scene's own, with its shadows", "[compose]") {
+  Place place;
+  Scene scene = make_point_scene("lantern", place.settings);
+  Features with_lamp = features_of(4);
+  with_lamp.insert(with_lamp.begin(), std::make_unique<Lamp>());
+  place.open(std::move(with_lamp));
+  const Image added = place.draw(scene);
+  place.open(features_of(4));
+  const Image without = place.draw(scene);
+  scene.lights.push_back(lamp());
+  CHECK(added == place.draw(scene));
+  CHECK_FALSE(added == without);
+}

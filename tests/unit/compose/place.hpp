@@ -1,0 +1,78 @@
+// The features of steps 02 to 04 on a renderer, with room for others beside them.
+#pragma once
+
+#include "01-transforms/functions.hpp"
+#include "02-blinn-phong/lit_surface.hpp"
+#include "02-blinn-phong/scenes.hpp"
+#include "03-shadow-mapping/scenes.hpp"
+#include "03-shadow-mapping/shadowed_surface.hpp"
+#include "04-point-shadows/lamp_cones.hpp"
+#include "04-point-shadows/point_shadowed_surface.hpp"
+#include "04-point-shadows/scenes.hpp"
+#include "04-point-shadows/studies.hpp"
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "gl/context.hpp"
+#include "render/renderer.hpp"
+
+namespace atelier::test {
+
+using Features = std::vector<std::unique_ptr<Feature>>;
+
+inline std::vector<SettingSpec> all_settings() {
+  std::vector<SettingSpec> all = lit_surface_settings();
+  for (const auto& more : {blinn_phong_scene_settings(), shadow_setting_specs(), cube_settings()})
+    all.insert(all.end(), more.begin(), more.end());
+  const auto add_new = [&](const std::vector<SettingSpec>& more) {
+    for (const SettingSpec& spec : more)
+      if (std::ranges::none_of(all, [&](const SettingSpec& known) { return known.name == spec.name; }))
+        all.push_back(spec);
+  };
+  add_new(shadow_scene_settings());
+  add_new(point_scene_settings());
+  add_new(study_settings());
+  return all;
+}
+
+inline Features features_of(int step) {
+  Features list;
+  auto lit = std::make_unique<LitSurface>();
+  const DrawnLights& lights = lit->lights();
+  list.push_back(std::move(lit));
+  static const PointFrusta none;
+  if (step == 3) list.push_back(std::make_unique<ShadowedSurface>(lights, none));
+  if (step == 4) {
+    auto cones = std::make_unique<LampCones>(lights);
+    auto maps = std::make_unique<ShadowedSurface>(lights, cones->frusta());
+    auto cubes = std::make_unique<PointShadowedSurface>(lights, maps->maps());
+    list.push_back(std::move(cones));
+    list.push_back(std::move(maps));
+    list.push_back(std::move(cubes));
+  }
+  return list;
+}
+
+/// Draws scenes with features of the steps.
+struct Place {
+  TemporaryFolder folder;  ///< for shaders of features that a test brings
+  std::unique_ptr<HeadlessContext> context = make_headless_context();
+  Settings settings{all_settings()};
+  std::unique_ptr<Renderer> renderer;
+
+  /// Takes these features from now on.
+  void open(Features features) {
+    const std::filesystem::path root = ATELIER_SOURCE_DIR;
+    renderer = std::make_unique<Renderer>(
+        context->gl(), Implementations({{folder.path(), ""}, {root / "solutions", ""}, {root / "steps", ""}}),
+        transform_functions(), std::move(features));
+    renderer->configure(settings);
+  }
+  Image draw(const Scene& scene, const char* output = "colour") {
+    renderer->prepare(scene);
+    const Target target(context->gl(), {.width = 96, .height = 96, .depth = DepthFormat::depth24_stencil8});
+    renderer->render({.camera = scene.camera, .output = output, .cull = true}, target);
+    return target.read_colour(context->gl());
+  }
+};
+
+}  // namespace atelier::test
