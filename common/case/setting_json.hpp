@@ -9,8 +9,9 @@
 
 namespace atelier {
 
-/// true, a number, or the name of a choice: of one line, at most 64 bytes. Which of them a setting takes, it says itself
-/// (Settings::set). Throws Error with `where`, the value and what is allowed.
+/// true, a number, the name of a choice, or a colour as [red, green, blue] of linear light or "#rrggbb" in sRGB codes;
+/// of one line, at most 64 bytes. Which of them a setting takes, it says itself (Settings::set). Throws Error with
+/// `where`, the value and what is allowed.
 SettingValue setting_from_json(const nlohmann::json& value, const std::string& where);
 
 /// An object of such values by the settings' names, which consist of a-z 0-9 . _ and -.
