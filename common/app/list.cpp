@@ -4,13 +4,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "case/setting_json.hpp"
+
 namespace atelier {
 
 namespace {
-
-nlohmann::json value_json(const SettingValue& value) {
-  return std::visit([](const auto& v) { return nlohmann::json(v); }, value);
-}
 
 const char* encoding_name(Encoding encoding) {
   switch (encoding) {
@@ -47,7 +45,7 @@ std::string list_as_json(const StepDescription& description) {
   json["settings"] = nlohmann::json::array();
   for (const SettingSpec& spec : description.settings) {
     nlohmann::json setting = {{"name", spec.name},
-                              {"default", value_json(spec.fallback)},
+                              {"default", setting_to_json(spec.fallback)},
                               {"allowed", allowed_values(spec)},
                               {"help", spec.help}};
     if (!spec.choices.empty()) setting["choices"] = spec.choices;

@@ -22,6 +22,18 @@ glm::dvec3 turned(const Camera& camera, double angle) {
   return camera.target + arm * c + glm::cross(axis, arm) * s + axis * (glm::dot(axis, arm) * (1 - c));
 }
 
+// The value at `share` of the way: by std::lerp, which never leaves the two ends, and so the range of the setting.
+
+int between(int from, int to, double share) {
+  return int(std::lround(std::lerp(from, to, share)));
+}
+double between(double from, double to, double share) {
+  return std::lerp(from, to, share);
+}
+Colour between(const Colour& from, const Colour& to, double share) {
+  return {between(from.r, to.r, share), between(from.g, to.g, share), between(from.b, to.b, share)};
+}
+
 }  // namespace
 
 void check_recording(const std::filesystem::path& file) {
@@ -41,8 +53,8 @@ VariedSetting varied_setting(const std::vector<SettingSpec>& specs, const std::s
                              const std::string& to) {
   const std::string asked = fmt::format("--vary {}={}..{}", name, from, to);
   Settings settings(specs);
-  const bool whole = std::holds_alternative<int>(settings.value(name));
-  if (!whole && !std::holds_alternative<double>(settings.value(name)))
+  const SettingValue& value = settings.value(name);
+  if (std::holds_alternative<bool>(value) || std::holds_alternative<std::string>(value))
     throw Error(asked + ": it has no numbers to run through; --set it, and vary another");
   const auto read = [&](const std::string& text) {
     settings.set(name, text);
@@ -55,10 +67,13 @@ VariedSetting varied_setting(const std::vector<SettingSpec>& specs, const std::s
 
 Change change_of_setting(const VariedSetting& varied) {
   return [varied](Case& picture, double share) {
-    if (const int* from = std::get_if<int>(&varied.from))
-      picture.settings[varied.name] = int(std::lround(std::lerp(*from, std::get<int>(varied.to), share)));
+    SettingValue& value = picture.settings[varied.name];
+    if (const int* whole = std::get_if<int>(&varied.from))
+      value = between(*whole, std::get<int>(varied.to), share);
+    else if (const double* real = std::get_if<double>(&varied.from))
+      value = between(*real, std::get<double>(varied.to), share);
     else
-      picture.settings[varied.name] = std::lerp(std::get<double>(varied.from), std::get<double>(varied.to), share);
+      value = between(std::get<Colour>(varied.from), std::get<Colour>(varied.to), share);
   };
 }
 

@@ -22,18 +22,19 @@ using Change = std::function<void(Case& picture, double share)>;
 /// The camera goes once round its target, about the up axis.
 Change turn_of_camera(const Camera& start);
 
-/// A setting that runs from one value to another: two whole numbers or two reals.
+/// A setting that runs from one value to another: two whole numbers, two reals or two colours.
 struct VariedSetting {
   std::string name;
   SettingValue from, to;
 };
 
 /// Reads both ends. Throws Error naming the setting, the value and what is allowed where the name is unknown, an end is
-/// out of range or no number, the setting is not one of numbers, or both ends are the same.
+/// out of range or not of the setting's type, the setting is on or off or a choice, or both ends are the same.
 VariedSetting varied_setting(const std::vector<SettingSpec>& specs, const std::string& name, const std::string& from,
                              const std::string& to);
 
-/// The setting goes from one end to the other in even steps; a whole number is rounded to the nearest.
+/// The setting goes from one end to the other in even steps; a whole number is rounded to the nearest, and a colour
+/// goes evenly in linear light.
 Change change_of_setting(const VariedSetting& varied);
 
 /// `frames` pictures, 24 a second. A .gif is one animation; other files become NAME-0000.EXT and so on. `encoding` is

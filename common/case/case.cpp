@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "case/printable.hpp"
+#include "case/setting_json.hpp"
 #include "case/strict_json.hpp"
 #include "case/suggest.hpp"
 
@@ -62,26 +63,6 @@ CaseCamera parse_camera(const Json& object, const std::string& where) {
     throw Error(fmt::format("{}: near {} must be less than far {}", where, *camera.near, *camera.far));
   }
   return camera;
-}
-
-SettingValue parse_setting(const Json& value, const std::string& where) {
-  if (value.is_boolean()) return value.get<bool>();
-  if (value.is_number_integer()) {
-    return strict_json::whole(value, where, std::numeric_limits<int>::min(), std::numeric_limits<int>::max());
-  }
-  if (value.is_number()) return strict_json::number(value, where, -infinity, infinity);
-  if (value.is_string()) return strict_json::text(value, where, 64);
-  strict_json::refuse(value, where, "true, false, a number or the name of a choice");
-}
-
-std::map<std::string, SettingValue> parse_settings(const Json& object, const std::string& where) {
-  if (!object.is_object()) strict_json::refuse(object, where, "an object {...} of settings");
-  std::map<std::string, SettingValue> settings;
-  for (const auto& [name, value] : object.items()) {
-    strict_json::name(name, where, "._-");
-    settings[name] = parse_setting(value, where + ": " + name);
-  }
-  return settings;
 }
 
 std::vector<Arguments> parse_inputs(const Json& list, const std::string& where) {
@@ -152,7 +133,7 @@ Case parse_case(const Json& object, const std::string& where) {
                             is_probe ? "probe" : "picture"));
   }
   if (const Json* settings = strict_json::optional(object, "settings")) {
-    c.settings = parse_settings(*settings, place + ": settings");
+    c.settings = settings_from_json(*settings, place + ": settings");
   }
   is_probe ? parse_probe(object, place, c) : parse_picture(object, place, c);
   return c;
@@ -160,9 +141,7 @@ Case parse_case(const Json& object, const std::string& where) {
 
 Json to_json(const Case& c) {
   Json object = {{"name", c.name}};
-  for (const auto& [name, value] : c.settings) {
-    std::visit([&, &key = name](const auto& v) { object["settings"][key] = v; }, value);
-  }
+  for (const auto& [name, value] : c.settings) object["settings"][name] = setting_to_json(value);
   if (c.probe.empty()) {
     object["scene"] = c.scene;
     object["size"] = {c.size.x, c.size.y};

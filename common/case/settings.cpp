@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <set>
 
 #include "base/error.hpp"
+#include "case/parse_number.hpp"
 #include "case/printable.hpp"
 #include "case/suggest.hpp"
 
@@ -23,32 +22,57 @@ bool has_choice(const SettingSpec& spec, const std::string& name) {
 }
 
 std::string type_name(const SettingValue& value) {
-  static const char* const names[] = {"on or off", "a whole number", "a number", "a choice"};
+  static const char* const names[] = {"on or off", "a whole number", "a number", "a choice", "a colour"};
   return names[value.index()];
 }
 
 std::string shown(const SettingValue& value) {
-  if (const bool* flag = std::get_if<bool>(&value)) return *flag ? "on" : "off";
-  if (const int* number = std::get_if<int>(&value)) return fmt::format("{}", *number);
-  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-  return "'" + shorten(printable(std::get<std::string>(value)), 80) + "'";
+  const std::string* words = std::get_if<std::string>(&value);
+  return words ? "'" + shorten(printable(*words), 80) + "'" : setting_text(value);
 }
 
 [[noreturn]] void refuse(const SettingSpec& spec, const std::string& value) {
   throw Error(fmt::format("setting '{}': {} is not allowed; it takes {}", spec.name, value, allowed_values(spec)));
 }
 
-/// The whole of `text` as a number, or nothing.
-template <class Number>
-bool parse_number(std::string_view text, Number& number) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size();
-}
+// What each type of setting is written as.
 
-bool parse_flag(std::string_view text, bool& flag) {
+bool parse_value(std::string_view text, bool& flag) {
   flag = text == "on" || text == "true";
   return flag || text == "off" || text == "false";
+}
+bool parse_value(std::string_view text, int& number) {
+  return parse_number(text, number);
+}
+bool parse_value(std::string_view text, double& number) {
+  return parse_number(text, number);
+}
+bool parse_value(std::string_view text, std::string& choice) {
+  choice = text;
+  return true;
+}
+bool parse_value(std::string_view text, Colour& colour) {
+  const std::optional<Colour> parsed = parse_colour(text);
+  colour = parsed.value_or(colour);
+  return parsed.has_value();
+}
+
+// What is allowed of each.
+
+bool is_allowed(const SettingSpec&, bool) {
+  return true;
+}
+bool is_allowed(const SettingSpec& spec, double number) {
+  return number >= spec.low && number <= spec.high;  // a NaN is in no range
+}
+bool is_allowed(const SettingSpec& spec, int number) {
+  return is_allowed(spec, double(number));
+}
+bool is_allowed(const SettingSpec& spec, const std::string& choice) {
+  return has_choice(spec, choice);
+}
+bool is_allowed(const SettingSpec& spec, const Colour& colour) {
+  return is_allowed(spec, colour.r) && is_allowed(spec, colour.g) && is_allowed(spec, colour.b);
 }
 
 /// `value` as the type and in the range of `spec`. A whole number serves where a real is wanted, and where a choice is
@@ -60,13 +84,7 @@ SettingValue checked(const SettingSpec& spec, SettingValue value) {
     value = setting_text(value);
   }
   if (value.index() != spec.fallback.index()) refuse(spec, shown(value));
-  if (const int* number = std::get_if<int>(&value)) {
-    if (*number < spec.low || *number > spec.high) refuse(spec, shown(value));
-  } else if (const double* real = std::get_if<double>(&value)) {
-    if (!(*real >= spec.low && *real <= spec.high)) refuse(spec, shown(value));  // a NaN is in no range
-  } else if (is_choice(spec) && !has_choice(spec, std::get<std::string>(value))) {
-    refuse(spec, shown(value));
-  }
+  if (!std::visit([&](const auto& v) { return is_allowed(spec, v); }, value)) refuse(spec, shown(value));
   return value;
 }
 
@@ -78,6 +96,7 @@ std::string setting_text(const SettingValue& value) {
     std::string operator()(int v) const { return fmt::format("{}", v); }
     std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest that reads back the same
     std::string operator()(const std::string& v) const { return v; }
+    std::string operator()(const Colour& v) const { return colour_text(v); }
   } text;
   return std::visit(text, value);
 }
@@ -85,6 +104,8 @@ std::string setting_text(const SettingValue& value) {
 std::string allowed_values(const SettingSpec& spec) {
   if (std::holds_alternative<bool>(spec.fallback)) return "on, off";
   if (is_choice(spec)) return join(spec.choices);
+  if (std::holds_alternative<Colour>(spec.fallback))
+    return fmt::format("R,G,B in linear light, each {}..{}, or sRGB codes #rrggbb", spec.low, spec.high);
   return fmt::format("{}..{}", spec.low, spec.high);
 }
 
@@ -99,18 +120,7 @@ Settings::Settings(std::vector<SettingSpec> specs) : specs_(std::move(specs)) {
 void Settings::set(std::string_view name, std::string_view text) {
   const SettingSpec& known = spec(name);
   SettingValue value = known.fallback;
-  const bool understood = std::visit(
-      [&](auto& parsed) {
-        using Type = std::decay_t<decltype(parsed)>;
-        if constexpr (std::is_same_v<Type, bool>)
-          return parse_flag(text, parsed);
-        else if constexpr (std::is_same_v<Type, std::string>)
-          return parsed = text, true;
-        else
-          return parse_number(text, parsed);
-      },
-      value);
-  if (!understood) refuse(known, shown(std::string(text)));
+  if (!std::visit([&](auto& v) { return parse_value(text, v); }, value)) refuse(known, shown(std::string(text)));
   values_.find(name)->second = checked(known, std::move(value));
 }
 
@@ -158,6 +168,9 @@ double Settings::real(std::string_view name) const {
 }
 const std::string& Settings::choice(std::string_view name) const {
   return typed<std::string>(value(name), name);
+}
+Colour Settings::colour(std::string_view name) const {
+  return typed<Colour>(value(name), name);
 }
 
 }  // namespace atelier

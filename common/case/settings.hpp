@@ -7,23 +7,26 @@
 #include <variant>
 #include <vector>
 
+#include "case/colour_text.hpp"
+
 namespace atelier {
 
-using SettingValue = std::variant<bool, int, double, std::string>;  ///< string: the name of a choice
+using SettingValue = std::variant<bool, int, double, std::string, Colour>;  ///< string: the name of a choice
 
 /// One setting that a step program offers.
 struct SettingSpec {
   std::string name;                  ///< "shadow.resolution": group, dot, name
   SettingValue fallback;             ///< the default; its type is the setting's type
-  double low = 0, high = 0;          ///< closed range of an int or a real
+  double low = 0, high = 0;          ///< closed range of an int, a real, or each component of a colour
   std::vector<std::string> choices;  ///< of a choice
   std::string help;                  ///< one sentence with the unit: "depth texels along a side"
 };
 
-/// "2048", "off", "slope": the text that Settings::set reads back.
+/// "2048", "off", "slope", "0.2,0.5,1": the text that Settings::set reads back.
 std::string setting_text(const SettingValue& value);
 
-/// "on, off", "32..8192" or "none, constant, slope": what a value of this setting may be, in words.
+/// "on, off", "32..8192", "none, constant, slope" or "R,G,B in linear light, each 0..1, or sRGB codes #rrggbb": what a
+/// value of this setting may be, in words.
 std::string allowed_values(const SettingSpec& spec);
 
 /// Values for a list of specs: all at their defaults when made, changed one by one, never out of range.
@@ -33,8 +36,8 @@ class Settings {
   /// Throws Error where a name is declared twice or a default is outside its own range or choices.
   explicit Settings(std::vector<SettingSpec> specs);
 
-  /// Sets from text as on a command line ("2048", "off", "slope"). Throws Error naming the setting, the value and what
-  /// is allowed; an unknown name is answered with the nearest known one.
+  /// Sets from text as on a command line ("2048", "off", "slope", "0.2,0.5,1", "#3380ff"). Throws Error naming the
+  /// setting, the value and what is allowed; an unknown name is answered with the nearest known one.
   void set(std::string_view name, std::string_view text);
   void set(std::string_view name, const char* text) { set(name, std::string_view(text)); }
   void set(std::string_view name, const std::string& text) { set(name, std::string_view(text)); }
@@ -47,6 +50,7 @@ class Settings {
   int integer(std::string_view name) const;
   double real(std::string_view name) const;
   const std::string& choice(std::string_view name) const;
+  Colour colour(std::string_view name) const;
 
   const std::vector<SettingSpec>& specs() const { return specs_; }
   const std::map<std::string, SettingValue, std::less<>>& values() const { return values_; }

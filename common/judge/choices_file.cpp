@@ -4,10 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "case/parse_number.hpp"
 #include "case/printable.hpp"
 #include "case/suggest.hpp"
 
@@ -20,22 +20,21 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// A bool, a whole number, a number, or the name of a choice: what the program's setting then takes or refuses.
+/// A bool, a whole number, a number, a colour, or the name of a choice: what the program's setting then takes or
+/// refuses.
 SettingValue value_of(std::string_view text) {
   if (text == "on" || text == "true") return true;
   if (text == "off" || text == "false") return false;
-  const char* end = text.data() + text.size();
   int whole = 0;
-  if (const auto [stop, error] = std::from_chars(text.data(), end, whole); error == std::errc() && stop == end)
-    return whole;
+  if (parse_number(text, whole)) return whole;
   double real = 0;
-  const auto [stop, error] = std::from_chars(text.data(), end, real);
-  if (error == std::errc() && stop == end && std::isfinite(real)) return real;
+  if (parse_number(text, real) && std::isfinite(real)) return real;
+  if (const std::optional<Colour> colour = parse_colour(text)) return *colour;
   return std::string(text);
 }
 
 constexpr std::string_view of_names = "abcdefghijklmnopqrstuvwxyz0123456789-._";
-constexpr std::string_view of_values = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._";
+constexpr std::string_view of_values = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._,#";
 
 bool consists_of(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.size() <= 64 && text.find_first_not_of(allowed) == text.npos;
@@ -59,8 +58,8 @@ Choices read_choices(std::string_view text, const std::string& where) {
         colon < equals && equals != line.npos ? trimmed(line.substr(colon + 1, equals - colon - 1)) : "";
     const std::string_view value = equals == line.npos ? "" : trimmed(line.substr(equals + 1));
     if (!consists_of(name, of_names) || !consists_of(setting, of_names) || !consists_of(value, of_values))
-      throw Error(fmt::format("{}:{}: '{}' is no choice; a line says CASE: SETTING = VALUE", where, number,
-                              shorten(printable(line), 80)));
+      throw Error(fmt::format("{}:{}: '{}' is no choice; a line says CASE: SETTING = VALUE, the value without spaces",
+                              where, number, shorten(printable(line), 80)));
     if (!choices[std::string(name)].emplace(setting, value_of(value)).second)
       throw Error(fmt::format("{}:{}: {} is chosen twice for {}", where, number, setting, name));
   }

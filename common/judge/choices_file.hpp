@@ -3,6 +3,8 @@
 //   // what follows two slashes at the beginning of a line is passed over
 //   hall-choice: hall.segments = 24
 //   shine-choice: specular.power = stable
+//
+// A value has no spaces; a colour is three numbers of linear light ("0.2,0.5,1") or sRGB codes ("#3380ff").
 #pragma once
 
 #include <filesystem>

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "case/setting_json.hpp"
 #include "case/strict_json.hpp"
 #include "image/error.hpp"
 
@@ -20,9 +21,8 @@ BaselineRow row_of(const Json& json, const std::string& where) {
   strict_json::refuse_unknown(json, {"name", "settings", "aim", "no_larger_error"}, where);
   BaselineRow row;
   row.name = strict_json::text(strict_json::required(json, "name", where), where + ": name", 60);
-  // Settings are read as those of a case are.
-  const Json picture = {{"name", "row"}, {"scene", "any"}, {"settings", json.value("settings", Json::object())}};
-  row.settings = parse_case(picture, where).settings;
+  if (const Json* settings = strict_json::optional(json, "settings"))
+    row.settings = settings_from_json(*settings, where + ": settings");
   if (const Json* aim = strict_json::optional(json, "aim"))
     row.aim = strict_json::number(*aim, where + ": aim", 0.1, 100);
   if (const Json* flag = strict_json::optional(json, "no_larger_error"))

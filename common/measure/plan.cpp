@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "case/setting_json.hpp"
 #include "case/strict_json.hpp"
 #include "case/suggest.hpp"
 
@@ -20,32 +21,17 @@ using strict_json::Json;
 constexpr double huge = 1e300;
 constexpr std::size_t most_values = 64, most_combinations = 256;
 
-SettingValue value_of(const Json& json, const std::string& where) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (json.is_number_integer()) return strict_json::whole(json, where, -2147483647, 2147483647);
-  if (json.is_number()) return strict_json::number(json, where, -huge, huge);
-  if (json.is_string()) return strict_json::text(json, where, 64);
-  strict_json::refuse(json, where, "true, false, a number or the name of a choice");
-}
-
 /// A list of values, none twice.
 std::vector<SettingValue> values_of(const Json& json, const std::string& where) {
   if (!json.is_array() || json.empty() || json.size() > most_values)
     strict_json::refuse(json, where, fmt::format("a list of 1..{} values", most_values));
   std::vector<SettingValue> values;
   for (const Json& each : json) {
-    values.push_back(value_of(each, where));
+    values.push_back(setting_from_json(each, where));
     if (std::count(values.begin(), values.end(), values.back()) > 1)
       strict_json::refuse(each, where, "each value once");
   }
   return values;
-}
-
-std::map<std::string, SettingValue> settings_of(const Json& json, const std::string& where) {
-  if (!json.is_object()) strict_json::refuse(json, where, "an object {...} of settings");
-  std::map<std::string, SettingValue> settings;
-  for (const auto& [name, value] : json.items()) settings[name] = value_of(value, where + ": " + name);
-  return settings;
 }
 
 /// What a case asks of the program; the members are a case's own.
@@ -71,7 +57,7 @@ Truth truth_of(const Json& object, const std::string& where) {
       strict_json::one_of(strict_json::required(*given, "by", place), place + ": by", {"oracle", "program"});
   truth.by = by == "oracle" ? Truth::By::oracle : Truth::By::program;
   if (const Json* settings = strict_json::optional(*given, "settings"))
-    truth.settings = settings_of(*settings, place + ": settings");
+    truth.settings = settings_from_json(*settings, place + ": settings");
   if (const Json* samples = strict_json::optional(*given, "samples")) {
     if (truth.by != Truth::By::oracle) strict_json::refuse(*samples, place + ": samples", "nothing but for the oracle");
     truth.samples = strict_json::whole(*samples, place + ": samples", 1, 64);
@@ -101,7 +87,7 @@ Expectation expectation_of(const Json& object, const std::string& where) {
   Expectation e;
   e.reason = strict_json::text(strict_json::required(object, "reason", where), where + ": reason");
   if (const Json* curve = strict_json::optional(object, "curve"))
-    e.curve = setting_text(value_of(*curve, where + ": curve"));
+    e.curve = setting_text(setting_from_json(*curve, where + ": curve"));
   const auto member = [&](const char* name) { return strict_json::optional(object, name); };
   const int kinds = !!member("slope") + !!member("order") + !!member("at_most") + !!member("at");
   if (kinds != 1) throw Error(where + ": it takes exactly one of slope, order, at_most and at");
@@ -134,7 +120,7 @@ Expectation expectation_of(const Json& object, const std::string& where) {
     e.number = strict_json::number(*most, where + ": at_most", 0, huge);
   } else {
     e.kind = Expectation::Kind::at;
-    e.values = {setting_text(value_of(*member("at"), where + ": at"))};
+    e.values = {setting_text(setting_from_json(*member("at"), where + ": at"))};
     e.number = strict_json::number(strict_json::required(object, "is", where), where + ": is", -huge, huge);
     tolerance();
   }

@@ -90,7 +90,7 @@ void check_against(const Plan& plan, const std::vector<SettingSpec>& settings, c
 
 /// What is swept where a plan names no values: all choices; off and on; of numbers nine from the least to the greatest,
 /// evenly by factors. Where the least is zero or below, zero comes first and the factors begin at 1 (whole numbers) or
-/// at a millionth of the greatest.
+/// at a millionth of the greatest. Of a colour none: a plan must name them.
 std::vector<SettingValue> default_values(const SettingSpec& setting);
 
 }  // namespace atelier::measure

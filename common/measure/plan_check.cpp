@@ -22,6 +22,9 @@ class Checker {
     const std::string where = fmt::format("sweep '{}'", sweep.name);
     common(where, sweep.ask, sweep.truth);
     values(where, sweep.setting, sweep.values);
+    if (sweep.values.empty() && default_values(known(where, sweep.setting)).empty())
+      throw Error(
+          fmt::format("{}: {} is a colour, whose whole range cannot be swept: name values", where, sweep.setting));
     if (!sweep.curves_by.empty()) values(where, sweep.curves_by, sweep.curves);
     for (const Expectation& e : sweep.expect) expectation(where, sweep, e);
   }
@@ -121,6 +124,7 @@ std::vector<SettingValue> default_values(const SettingSpec& setting) {
     for (const std::string& choice : setting.choices) values.emplace_back(choice);
     return values;
   }
+  if (std::holds_alternative<Colour>(setting.fallback)) return values;
   const bool whole = std::holds_alternative<int>(setting.fallback);
   std::vector<double> numbers;
   double low = setting.low;

@@ -9,6 +9,7 @@
 #include "base/process.hpp"
 #include "case/exchange.hpp"
 #include "case/printable.hpp"
+#include "case/setting_json.hpp"
 #include "case/strict_json.hpp"
 #include "judge/runner.hpp"
 
@@ -83,15 +84,7 @@ Cost read_cost(const fs::path& file) {
 
 SettingSpec setting_of(const Json& json) {
   SettingSpec spec{.name = json.at("name").get<std::string>()};
-  const Json& fallback = json.at("default");
-  if (fallback.is_boolean())
-    spec.fallback = fallback.get<bool>();
-  else if (fallback.is_number_integer())
-    spec.fallback = fallback.get<int>();
-  else if (fallback.is_number())
-    spec.fallback = fallback.get<double>();
-  else
-    spec.fallback = fallback.get<std::string>();
+  spec.fallback = setting_from_json(json.at("default"), spec.name + ": default");
   if (json.contains("choices")) spec.choices = json["choices"].get<std::vector<std::string>>();
   if (json.contains("range")) spec.low = json["range"][0], spec.high = json["range"][1];
   return spec;

@@ -5,6 +5,8 @@
 
 #include <optional>
 
+#include "app/window/colour_codes.hpp"
+
 namespace atelier {
 namespace {
 
@@ -55,6 +57,15 @@ struct Control {
     if (chosen.empty()) return {};
     return SettingValue(chosen);
   }
+  std::optional<SettingValue> operator()(const Colour& value) const {
+    const bool beyond_screens = spec.low < 0 || spec.high > 1;
+    glm::vec3 shown = glm::vec3(codes_of(value)) / 255.0f;
+    if (!ImGui::ColorEdit3(label, &shown.x,
+                           ImGuiColorEditFlags_Uint8 | ImGuiColorEditFlags_NoTooltip |
+                               (beyond_screens ? ImGuiColorEditFlags_HDR : ImGuiColorEditFlags_None)))
+      return {};
+    return SettingValue(with_codes(spec, value, glm::ivec3(glm::round(shown * 255.0f))));
+  }
 };
 
 void explain(const SettingSpec& spec) {
@@ -64,6 +75,7 @@ void explain(const SettingSpec& spec) {
   ImGui::TextUnformatted(spec.help.c_str());
   ImGui::TextDisabled("--set %s=%s\n%s", spec.name.c_str(), setting_text(spec.fallback).c_str(),
                       allowed_values(spec).c_str());
+  if (std::holds_alternative<Colour>(spec.fallback)) ImGui::TextDisabled("shown here as 8-bit sRGB codes");
   if (spec.high > spec.low) ImGui::TextDisabled("Ctrl+click to type a number");
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -77,7 +89,7 @@ void edit(Viewer& viewer, const SettingSpec& spec) {
   const auto edited = std::visit(Control{spec, label.c_str()}, value);
   if (changed) ImGui::PopStyleColor();
   explain(spec);
-  if (edited) viewer.set(spec.name, *edited);
+  if (edited && *edited != value) viewer.set(spec.name, *edited);
 }
 
 }  // namespace

@@ -141,7 +141,10 @@ TEST_CASE("what is said is taken", "[command_line]") {
 
   const struct {
     const char *text, *from, *to;
-  } ranges[] = {{"a.b=0..360", "0", "360"}, {"a.b=-1.5..-16", "-1.5", "-16"}, {"a.b=.5...25", ".5", ".25"}};
+  } ranges[] = {{"a.b=0..360", "0", "360"},
+                {"a.b=-1.5..-16", "-1.5", "-16"},
+                {"a.b=.5...25", ".5", ".25"},
+                {"a.b=0,.5,1..#3380ff", "0,.5,1", "#3380ff"}};
   for (const auto& row : ranges) {
     INFO(row.text);
     const CommandLine varied = parse({"--record", "a.gif", "--vary", row.text}).value();
@@ -175,7 +178,7 @@ TEST_CASE("a window's command line survives being written and read again", "[com
   line.picture.output = "normal";
   line.picture.camera.eye = {-1.0 / 3, 1e6 + 0.1, 5e-324};  // the least double: the shortest text still reads back
   line.picture.camera.target = {0, -0.0, 1e300};
-  line.settings = {{"a.b", "-0.1"}, {"c", "x=y"}, {"d", "off"}};
+  line.settings = {{"a.b", "-0.1"}, {"c", "x=y"}, {"d", "off"}, {"e", "-0.2,0.5,1"}, {"f", "#3380ff"}};
   line.context = ContextKind::window;
   line.implementations = Implementations::parse("00-fake=" + folder.path().string());
 

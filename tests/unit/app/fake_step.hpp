@@ -15,10 +15,10 @@ namespace atelier::test {
 
 inline constexpr const char* step_name = "00-fake";
 
-/// The surface's colour: the setting's, darker where it turns away from +z.
+/// The surface's colour: the setting's, darker where it turns away from +z, and what it glows by itself.
 inline constexpr const char* shade_glsl = R"(
-uniform vec3 u_tint;
-vec3 shade(Surface surface) { return u_tint * (0.25 + 0.75 * abs(normalize(surface.normal_world).z)); }
+uniform vec3 u_tint, u_glow;
+vec3 shade(Surface surface) { return u_glow + u_tint * (0.25 + 0.75 * abs(normalize(surface.normal_world).z)); }
 )";
 
 /// Writes the step's shader files below `root`, as an implementation of it.
@@ -33,15 +33,19 @@ class Tint : public Feature {
     const float brightness = float(settings.real("tint.brightness"));
     const std::string& colour = settings.choice("tint.colour");
     tint_ = brightness * (colour == "red" ? glm::vec3(1, 0.1f, 0.1f) : glm::vec3(0.2f, 0.5f, 1));
+    glow_ = settings.colour("tint.glow");
   }
   Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override {
     return {{Slot::shade, {std::string(step_name) + "/shade.glsl", "shade"}}};
   }
-  void bind_view(Binder& binder, const Scene&, const Viewpoint&) override { binder.set("u_tint", tint_); }
+  void bind_view(Binder& binder, const Scene&, const Viewpoint&) override {
+    binder.set("u_tint", tint_);
+    binder.set("u_glow", glow_);
+  }
 
  private:
-  glm::vec3 tint_{1};
+  glm::vec3 tint_{1}, glow_{0};
 };
 
 inline StepDescription fake_description() {
@@ -53,6 +57,8 @@ inline StepDescription fake_description() {
       {.name = "tint.brightness", .fallback = 0.5, .low = 0, .high = 4, .help = "a factor on it"});
   description.settings.push_back(
       {.name = "segments", .fallback = 48, .low = 3, .high = 4096, .help = "around the ring"});
+  description.settings.push_back(
+      {.name = "tint.glow", .fallback = Colour(0), .low = 0, .high = 2, .help = "light that the surface sends out"});
   description.outputs = {{"colour", Encoding::linear, "reflected light, linear"}};
   description.probes["twice"] = [](ProbeContext&, const Arguments& arguments) {
     return Numbers{2 * arguments.number("x")};

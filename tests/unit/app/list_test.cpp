@@ -25,6 +25,7 @@ TEST_CASE("the list for people names everything that can be asked for", "[list]"
   CHECK(mentions(text, {"00-fake: A step for tests", "box", "ring", "--scene", "--set", "--output", "twice"}));
   CHECK(mentions(line_with(text, "tint.brightness"), {"0..4", "default 0.5"}));
   CHECK(mentions(line_with(text, "tint.colour"), {"red, blue", "default red"}));
+  CHECK(mentions(line_with(text, "tint.glow"), {"R,G,B in linear light, each 0..2", "#rrggbb", "default 0,0,0"}));
   CHECK(mentions(line_with(text, "draw.wireframe"), {"on, off", "default off"}));
   CHECK(mentions(line_with(text, "  normal"), {"data"}));
   CHECK(mentions(line_with(text, "  colour "), {"linear colour"}));
@@ -47,11 +48,20 @@ TEST_CASE("the list for programs says the same", "[list]") {
     CHECK(setting.contains("range") == (spec.high > spec.low));
     CHECK(setting.contains("choices") == !spec.choices.empty());
   }
-  const auto brightness = std::find_if(json["settings"].begin(), json["settings"].end(),
-                                       [](const auto& setting) { return setting["name"] == "tint.brightness"; });
-  REQUIRE(brightness != json["settings"].end());
-  CHECK((*brightness)["default"] == 0.5);
-  CHECK((*brightness)["range"] == nlohmann::json({0.0, 4.0}));
+  const struct {
+    const char* name;
+    nlohmann::json fallback, range;
+  } rows[] = {{"tint.brightness", 0.5, {0.0, 4.0}},
+              {"segments", 48, {3.0, 4096.0}},
+              {"tint.glow", {0.0, 0.0, 0.0}, {0.0, 2.0}}};
+  for (const auto& row : rows) {
+    INFO(row.name);
+    const auto setting = std::find_if(json["settings"].begin(), json["settings"].end(),
+                                      [&](const auto& each) { return each["name"] == row.name; });
+    REQUIRE(setting != json["settings"].end());
+    CHECK((*setting)["default"] == row.fallback);
+    CHECK((*setting)["range"] == row.range);
+  }
   REQUIRE(json["outputs"].size() == 5);
   CHECK(json["outputs"][0]["name"] == "colour");
   CHECK(json["outputs"][1]["encoding"] == "data");

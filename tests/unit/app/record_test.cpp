@@ -14,14 +14,14 @@ using test::small_picture;
 using test::Studio;
 
 /// The values that a setting has in `frames` pictures.
-template <class Number>
-std::vector<Number> values_of(const char* name, const char* from, const char* to, int frames) {
+template <class Value>
+std::vector<Value> values_of(const char* name, const char* from, const char* to, int frames) {
   const Change change = change_of_setting(varied_setting(test::fake_description().settings, name, from, to));
-  std::vector<Number> values;
+  std::vector<Value> values;
   for (int i = 0; i < frames; ++i) {
     Case picture = small_picture();
     change(picture, double(i) / frames);
-    values.push_back(std::get<Number>(picture.settings.at(name)));
+    values.push_back(std::get<Value>(picture.settings.at(name)));
   }
   return values;
 }
@@ -33,6 +33,18 @@ TEST_CASE("a setting runs from one end almost to the other", "[record]") {
   CHECK(values_of<double>("tint.brightness", "3", "1", 4) == std::vector<double>{3, 2.5, 2, 1.5});
   CHECK(values_of<int>("segments", "3", "5", 4) == std::vector<int>{3, 4, 4, 5});  // halves away from zero
   CHECK(values_of<int>("segments", "4096", "3", 1) == std::vector<int>{4096});
+  CHECK(values_of<Colour>("tint.glow", "0,1,2", "2,1,0", 4) ==
+        std::vector<Colour>{{0, 1, 2}, {0.5, 1, 1.5}, {1, 1, 1}, {1.5, 1, 0.5}});
+  CHECK(values_of<Colour>("tint.glow", "#000000", "#ffffff", 2) ==
+        std::vector<Colour>{Colour(0), Colour(0.5)});  // of light
+}
+
+TEST_CASE("a component that is the same at both ends stays the same", "[record]") {
+  // x (1 - t) + x t is above 0.7 for some t; the range may end there.
+  for (const Colour& colour : values_of<Colour>("tint.glow", "0.7,0,2", "0.7,1,2", 1000)) {
+    CHECK(colour.r == 0.7);
+    CHECK(colour.b == 2);
+  }
 }
 
 TEST_CASE("a variation says what it cannot run through", "[record]") {
@@ -47,6 +59,10 @@ TEST_CASE("a variation says what it cannot run through", "[record]") {
       {"tint.brightness", "dark", "4", {"'tint.brightness'", "dark", "0..4"}},
       {"tint.brightness", "2", "2.0", {"--vary tint.brightness=2..2.0", "the same"}},
       {"segments", "3", "4.5", {"'segments'", "4.5", "3..4096"}},
+      {"tint.glow", "0,0,0", "0,0,2.5", {"'tint.glow'", "0,0,2.5", "0..2"}},
+      {"tint.glow", "0,0,0", "1", {"'tint.glow'", "'1'", "R,G,B"}},
+      {"tint.glow", "#ffffff", "1,1,1.0", {"--vary tint.glow=#ffffff..1,1,1.0", "the same"}},
+      {"tint.brightness", "0,0,0", "1,1,1", {"'tint.brightness'", "'0,0,0'", "0..4"}},
       {"tint.colour", "red", "blue", {"--vary tint.colour=red..blue", "no numbers"}},
       {"draw.wireframe", "off", "on", {"--vary draw.wireframe=off..on", "no numbers"}},
   };

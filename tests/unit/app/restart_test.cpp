@@ -97,9 +97,14 @@ TEST_CASE("a setting's text reads back as the same value", "[restart]") {
   Settings settings({{.name = "flag", .fallback = false},
                      {.name = "number", .fallback = 3, .low = -10, .high = 10},
                      {.name = "real", .fallback = 0.5, .low = -1, .high = 1},
-                     {.name = "choice", .fallback = std::string("a"), .choices = {"a", "b"}}});
-  const std::pair<const char*, SettingValue> rows[] = {
-      {"flag", true}, {"number", -7}, {"real", 1.0 / 3}, {"real", -1e-300}, {"choice", std::string("b")}};
+                     {.name = "choice", .fallback = std::string("a"), .choices = {"a", "b"}},
+                     {.name = "colour", .fallback = Colour(0), .low = 0, .high = 1}});
+  const std::pair<const char*, SettingValue> rows[] = {{"flag", true},
+                                                       {"number", -7},
+                                                       {"real", 1.0 / 3},
+                                                       {"real", -1e-300},
+                                                       {"choice", std::string("b")},
+                                                       {"colour", Colour(1.0 / 3, 1e-300, 1)}};
   for (const auto& [name, value] : rows) {
     settings.set(name, setting_text(value));
     CHECK(settings.value(name) == value);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "case/setting_json.hpp"
 #include "case/strict_json.hpp"
 #include "catch.hpp"
 
@@ -26,7 +27,8 @@ std::vector<Case> cases_of(const std::string& text) {
 const char* const full_picture = R"({
   "name": "copper-8", "scene": "materials", "output": "normal", "size": [1, 4096],
   "camera": {"eye": [0, 1.5, 3], "target": [0, 0, 0], "up": [0, 1, 0], "fov_y_degrees": 179, "near": 1e-3, "far": 1e9},
-  "settings": {"shading.normalised": true, "shading.lights": 64, "shading.gain": 0.5, "shading.kind": "phong"}})";
+  "settings": {"shading.normalised": true, "shading.lights": 64, "shading.gain": 0.5, "shading.kind": "phong",
+               "shading.sky": [0.2, 0.5, 1], "shading.fog": "#ff0033"}})";
 
 }  // namespace
 
@@ -43,8 +45,28 @@ TEST_CASE("a picture case with every member survives the way to the program") {
     CHECK(c.settings.at("shading.lights") == SettingValue(64));
     CHECK(c.settings.at("shading.gain") == SettingValue(0.5));
     CHECK(c.settings.at("shading.kind") == SettingValue(std::string("phong")));
+    CHECK(c.settings.at("shading.sky") == SettingValue(Colour(0.2, 0.5, 1)));
+    CHECK(c.settings.at("shading.fog") == SettingValue(parse_colour("#ff0033").value()));
     CHECK(c.probe.empty());
   }
+}
+
+TEST_CASE("a setting of any type survives being written as JSON and read again") {
+  const SettingValue rows[] = {true,
+                               -7,
+                               1.0,
+                               1.0 / 3,
+                               std::string("phong"),
+                               std::string("16"),
+                               Colour(0),
+                               Colour(1),
+                               Colour(1.0 / 3, -5e-324, 1e300)};
+  for (const SettingValue& value : rows) {
+    const std::string text = setting_to_json(value).dump();
+    INFO(text);
+    CHECK(setting_from_json(json::parse(text), "f.json") == value);
+  }
+  CHECK(setting_to_json(Colour(0.2, 0.5, 1)).dump() == "[0.2,0.5,1.0]");
 }
 
 TEST_CASE("a probe's inputs are flattened, and survive with non-finite numbers and the sign of zero") {
@@ -113,6 +135,18 @@ TEST_CASE("broken cases are refused with file, case, member and what is allowed"
       {R"({"name": "a", "scene": "s", "settings": []})", "settings: [] is not allowed"},
       {R"({"name": "a", "scene": "s", "settings": {"x": null}})", "settings: x: null is not allowed"},
       {R"({"name": "a", "scene": "s", "settings": {"x": 3000000000}})", "settings: x: 3000000000 is not allowed"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": {}}})",
+       "settings: x: {} is not allowed; it takes true, false, a number, the name of a choice, [red, green, blue] or "
+       "\"#rrggbb\""},
+      {R"({"name": "a", "scene": "s", "settings": {"x": []}})", "settings: x: [] is not allowed; it takes 3 finite"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": [1, 1]}})", "settings: x: [1,1] is not allowed; it takes 3"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": [1, 1, 1, 1]}})", "settings: x: [1,1,1,1] is not allowed"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": [1, 1, "1"]}})", "settings: x: \"1\" is not allowed"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": [1, true, 1]}})", "settings: x: true is not allowed"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": [1, [1], 1]}})", "settings: x: [1] is not allowed"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": "#ff00"}})",
+       "settings: x: \"#ff00\" is not allowed; it takes a colour as \"#rrggbb\", six hexadecimal digits"},
+      {R"({"name": "a", "scene": "s", "settings": {"x": "#ff00gg"}})", "settings: x: \"#ff00gg\" is not allowed"},
       {R"({"name": "a", "scene": "s", "settings": {"X": 1}})", "settings: \"X\""},
       {R"({"name": "a", "scene": "s", "inputs": [{}]})",
        "case 'a': 'inputs' belongs to a probe, and this is a picture"},

@@ -101,17 +101,19 @@ TEST_CASE("what a choice is worth is read, or refused with the member's name") {
 TEST_CASE("choices.txt is read line by line") {
   const Choices choices = read_choices(
       "// words\n\n  hall-choice :  hall.segments = 96 \r\nhall-choice: draw.wireframe=off\nshine: power = stable\n"
-      "far: world.offset = 1.5e3",
+      "far: world.offset = 1.5e3\nsky: above = 0.2,.5,1\nsky: below = #3380fF\n",
       "choices.txt");
-  REQUIRE(choices.size() == 3);
+  REQUIRE(choices.size() == 4);
   CHECK(choices.at("hall-choice").at("hall.segments") == SettingValue(96));
   CHECK(choices.at("hall-choice").at("draw.wireframe") == SettingValue(false));
   CHECK(choices.at("shine").at("power") == SettingValue(std::string("stable")));
   CHECK(choices.at("far").at("world.offset") == SettingValue(1500.0));
+  CHECK(choices.at("sky").at("above") == SettingValue(Colour(0.2, 0.5, 1)));
+  CHECK(choices.at("sky").at("below") == SettingValue(parse_colour("#3380ff").value()));
   CHECK(read_choices("", "choices.txt").empty());
   CHECK(read_choices("\xef\xbb\xbf// made elsewhere\na: b = 1", "choices.txt").size() == 1);
-  // No number: the program's setting says so by its name.
-  for (const char* text : {"nan", "inf", "-inf", "1e999", "0x20"})
+  // No number and no colour: the program's setting says so by its name.
+  for (const char* text : {"nan", "inf", "-inf", "1e999", "0x20", "1,1", "1,nan,1", "#fff", "#12345g"})
     CHECK(read_choices(std::string("a: b = ") + text, "choices.txt").at("a").at("b") ==
           SettingValue(std::string(text)));
 
@@ -131,6 +133,10 @@ TEST_CASE("choices.txt is read line by line") {
       {"a: b = \xff", "choices.txt:1"},
       {"a: b = \x80\x80", "choices.txt:1"},
       {"a: b = 3 metres", "choices.txt:1"},
+      {"a: b = 0.2, 0.5, 1",
+       "choices.txt:1: 'a: b = 0.2, 0.5, 1' is no choice; a line says CASE: SETTING = VALUE, the "
+       "value without spaces"},
+      {"a: b = 1,1,1\na: b = #ffffff", "choices.txt:2: b is chosen twice for a"},
   };
   for (const Row& row : rows) {
     INFO(row.text);

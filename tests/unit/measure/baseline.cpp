@@ -20,7 +20,7 @@ json comparison() {
           {"shadow", "shadow_factor"},
           {"samples", 4},
           {"rows",
-           {{{"name", "the same settings"}, {"settings", {{"shadow.pcf", 3}}}, {"aim", 1}},
+           {{{"name", "the same settings"}, {"settings", {{"shadow.pcf", 3}, {"sky", {0.2, 0.5, 1}}}}, {"aim", 1}},
             {{"name", "fitted"}, {"aim", 1.5}, {"no_larger_error", true}},
             {{"name", "as it is"}}}}};
 }
@@ -37,6 +37,7 @@ TEST_CASE("a comparison with a baseline is read as it is written") {
   REQUIRE(plan.rows.size() == 3);
   CHECK(plan.rows[0].name == "the same settings");
   CHECK(plan.rows[0].settings.at("shadow.pcf") == SettingValue(3));
+  CHECK(plan.rows[0].settings.at("sky") == SettingValue(Colour(0.2, 0.5, 1)));
   CHECK(plan.rows[0].aim == 1);
   CHECK_FALSE(plan.rows[0].no_larger_error);
   CHECK(plan.rows[1].settings.empty());
@@ -66,6 +67,11 @@ TEST_CASE("a comparison that is wrong is refused, with the place in words") {
       {"a row without a name", [](json& d) { d["rows"][1].erase("name"); }, {"row 2", "name"}},
       {"an unknown member of a row", [](json& d) { d["rows"][0]["goal"] = 2; }, {"row 1", "goal"}},
       {"settings that are none", [](json& d) { d["rows"][0]["settings"] = 3; }, {"row 1", "settings"}},
+      {"a colour of two numbers",
+       [](json& d) {
+         d["rows"][0]["settings"] = {{"sky", json::array({0.2, 0.5})}};
+       },
+       {"baseline.json: row 1: settings: sky", "[0.2,0.5]", "3 finite numbers"}},
       {"an aim of nothing", [](json& d) { d["rows"][0]["aim"] = 0; }, {"row 1: aim", "0"}},
       {"a word for a flag", [](json& d) { d["rows"][1]["no_larger_error"] = "yes"; }, {"row 2", "no_larger_error"}},
   };

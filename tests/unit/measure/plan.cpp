@@ -61,6 +61,25 @@ std::vector<SettingSpec> settings() {
           {.name = "draw.wireframe", .fallback = false}};
 }
 
+/// The program's settings with a colour, and a plan that sweeps it.
+std::vector<SettingSpec> settings_with_sky() {
+  std::vector<SettingSpec> all = settings();
+  all.push_back({.name = "sky", .fallback = Colour(0), .low = 0, .high = 1});
+  return all;
+}
+
+json plan_of_sky() {
+  json d = whole_plan();
+  json& sky = d["sweeps"].emplace_back(sweep());
+  sky["name"] = "sky";
+  sky["setting"] = "sky";
+  sky["values"] = {{0, 0, 0}, {0.2, 0.5, 1}, "#ffffff"};
+  sky["expect"] = {{{"order", {{1, 1, 1}, "#000000"}}, {"reason", "r"}},
+                   {{"at", {0.2, 0.5, 1}}, {"is", 0.4}, {"tolerance", 0.1}, {"reason", "by hand"}}};
+  d["fronts"][0]["grid"]["sky"] = {{0, 0, 0}, "#ff0000"};
+  return d;
+}
+
 struct Row {
   const char* name;
   std::function<void(json&)> spoil;
@@ -101,6 +120,52 @@ TEST_CASE("a plan is read as it is written") {
   CHECK(plan.fronts[0].grid.size() == 2);
   CHECK(plan.fronts[0].metric == Metric::flip);
   CHECK(plan.not_measured.at("draw.wireframe") == "nothing is approximated");
+}
+
+TEST_CASE("colours are swept like choices, by light or by codes") {
+  const Plan plan = parsed(plan_of_sky());
+  const Sweep& sky = plan.sweeps[1];
+  CHECK(sky.values == std::vector<SettingValue>{Colour(0), Colour(0.2, 0.5, 1), Colour(1)});
+  CHECK(sky.expect[0].values == std::vector<std::string>{"1,1,1", "0,0,0"});
+  CHECK(sky.expect[1].values == std::vector<std::string>{"0.2,0.5,1"});
+  CHECK(error_of([&] { check_against(plan, settings_with_sky(), {"colour", "position"}); }) == "");
+
+  const Row rows[] = {
+      {"a colour twice",
+       [](json& d) {
+         d["sweeps"][1]["values"] = {{1, 1, 1}, "#ffffff"};
+       },
+       {"sweep 'sky'", "once"}},
+      {"no colour",
+       [](json& d) {
+         d["sweeps"][1]["values"] = {"#fff", "#ffffff"};
+       },
+       {"sweep 'sky'", "#fff", "#rrggbb"}},
+      {"numbers in place of colours",
+       [](json& d) {
+         d["sweeps"][1]["values"] = {0, 0.5, 1};
+       },
+       {"sweep 'sky'", "setting 'sky': 0 is not allowed", "R,G,B"}},
+      {"a colour out of range",
+       [](json& d) {
+         d["fronts"][0]["grid"]["sky"] = json::array({{0, 0, 1.5}});
+       },
+       {"front 'all'", "0,0,1.5", "0..1"}},
+      {"a colour that is not swept",
+       [](json& d) { d["sweeps"][1]["expect"][1]["at"] = "#0000ff"; },
+       {"sweep 'sky'", "'0,0,1' is not among"}},
+      {"a colour without values",
+       [](json& d) { d["sweeps"][1].erase("values"); },
+       {"sweep 'sky'", "sky is a colour", "name values"}},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    json d = plan_of_sky();
+    row.spoil(d);
+    const std::string error = error_of([&] { check_against(parsed(d), settings_with_sky(), {"colour", "position"}); });
+    INFO(error);
+    CHECK(mentions(error, row.words));
+  }
 }
 
 TEST_CASE("a truth may be a number, or the program itself") {
@@ -225,6 +290,7 @@ TEST_CASE("where no values are given, the whole range is swept") {
        {.name = "a", .fallback = 1.0, .low = 1e-4, .high = 1e4},
        {1e-4, 1e-3, 1e-2, 1e-1, 1e0, 1e1, 1e2, 1e3, 1e4}},
       {"one value", {.name = "a", .fallback = 0, .low = 0, .high = 0}, {0}},
+      {"a colour", {.name = "a", .fallback = Colour(0), .low = 0, .high = 1}, {}},
   };
   for (const Default& row : rows) {
     INFO(row.name);
