@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "gl/debug.hpp"
 #include "image_io/image_io.hpp"
 
 namespace atelier {
@@ -206,7 +207,10 @@ void Window::draw_round() {
   gl.ClearColor(0, 0, 0, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT);
   if (viewer_.picture()) presenter_.draw(*viewer_.picture(), viewer_.encoding(), {{0, 0}, picture});
-  panel_->draw();
+  {
+    const DebugGroup group(gl, "panel");
+    panel_->draw();
+  }
   ++frames_;
   if (wishes_.frames == frames_ && !wishes_.save.empty())
     write_image(wishes_.save, read_framebuffer(gl, window), {.encoding = Encoding::srgb});

@@ -9,9 +9,11 @@ namespace {
 using namespace atelier;
 using namespace atelier::test;
 
-constexpr glm::vec3 fog_colour{0.5f, 0.625f, 0.75f};
+constexpr Colour fog_colour{0.5f, 0.625f, 0.75f};
 
 class Fog : public Feature {
+  Colour colour_;
+  void configure(const Settings& settings) override { colour_ = settings.colour("fog.colour"); }
   Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override { return {{Slot::modify_shaded, {"05-fog/fog.glsl", "fog"}}}; }
   std::optional<glm::vec3> background(const Scene&, const View&) const override { return fog_colour; }
