@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "gl/compact_texture.hpp"
 #include "image/colour.hpp"
 #include "scene/light_reach.hpp"
 
@@ -84,6 +85,10 @@ std::vector<SettingSpec> lit_surface_settings() {
        .fallback = std::string("before"),
        .choices = {"before", "after"},
        .help = "when texels are decoded from sRGB: before filtering (right), or after it (cheaper to store)"},
+      {.name = "texture.format",
+       .fallback = std::string("float"),
+       .choices = {"float", "8"},
+       .help = "how texels are stored: floats of 32 bits, or 8 bits (sRGB codes), a quarter of the memory"},
   };
 }
 
@@ -99,6 +104,7 @@ void LitSurface::configure(const Settings& settings) {
   cull_lights_ = settings.flag("light.cull");
   filter_ = settings.choice("texture.filter");
   decode_after_filter_ = settings.choice("texture.decode") == "after";
+  compact_textures_ = settings.choice("texture.format") == "8";
 }
 
 /// Sorts the lights that shine into those of each type. What can be left out is decided once a scene, for every place
@@ -144,6 +150,9 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
       const std::vector<Image> levels =
           filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
       textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
+      if (compact_textures_)
+        store_in_8_bits(gl, textures_[std::size_t(*index)].id(),
+                        decode_after_filter_ ? Encoding::srgb : Encoding::linear);
     }
   // Here and not when first drawn with: a texture that is made takes the place of one that is bound already.
   if (power_ == Power::table)

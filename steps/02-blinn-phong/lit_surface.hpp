@@ -40,7 +40,7 @@ class LitSurface : public Feature {
   void choose_lights(const Scene& scene);
   GLuint power_table_for(float exponent);
 
-  bool per_vertex_ = false, decode_after_filter_ = false, cull_lights_ = true;
+  bool per_vertex_ = false, decode_after_filter_ = false, compact_textures_ = false, cull_lights_ = true;
   int normalisation_ = 0, light_limit_ = 64, table_size_ = 256;
   Power power_ = Power::direct;
   std::string filter_ = "scene";

@@ -196,6 +196,9 @@ TEST_CASE("a step's program refuses what would change nothing", "[bad-input]") {
   const Row rows[] = {
       {"00-hello", {"--out", out, "--eye", "0,1,2"}, {"00-hello has no camera", "--eye"}},
       {"00-hello", {"--record", turn, "--frames", "2"}, {"00-hello has no camera", "--record"}},
+      {"00-hello", {"--out", out, "--set", "frame.samples=2"}, {"'frame.samples'", "'2'", "1, 4"}},
+      {"00-hello", {"--out", out, "--set", "frame.format=srgb"}, {"'frame.format'", "'srgb'", "32f, 16f, 8"}},
+      {"01-transforms", {"--out", out, "--set", "frame.supersampling=5"}, {"'frame.supersampling'", "5", "1..4"}},
       {"01-transforms", {"--record", turn, "--vary", "hall.segment=3..9"}, {"'hall.segment'", "hall.segments"}},
       {"01-transforms", {"--record", turn, "--vary", "hall.segments=2..9"}, {"'hall.segments'", "2", "3..4096"}},
       {"01-transforms", {"--record", turn, "--vary", "depth.format=16..24"}, {"--vary depth.format=16..24", "numbers"}},
