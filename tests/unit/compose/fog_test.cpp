@@ -9,18 +9,18 @@ namespace {
 using namespace atelier;
 using namespace atelier::test;
 
-constexpr Colour fog_colour{0.5f, 0.625f, 0.75f};
-
 class Fog : public Feature {
-  Colour colour_;
+  Colour colour_{};
   void configure(const Settings& settings) override { colour_ = settings.colour("fog.colour"); }
   Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override { return {{Slot::modify_shaded, {"05-fog/fog.glsl", "fog"}}}; }
-  std::optional<glm::vec3> background(const Scene&, const View&) const override { return fog_colour; }
+  std::optional<glm::vec3> background(const Scene&, const View&) const override { return colour_; }
+  void bind_view(Binder& binder, const Scene&, const Viewpoint&) override { binder.set("u_fog", colour_); }
 };
 constexpr const char* fog_glsl =
+    "uniform vec3 u_fog;\n"
     "vec3 fog(Surface s, vec3 shaded) {\n"
-    "  return mix(vec3(0.5, 0.625, 0.75), shaded, exp(-0.125 * distance(s.eye_world, s.position_world)));\n"
+    "  return mix(u_fog, shaded, exp(-0.125 * distance(s.eye_world, s.position_world)));\n"
     "}\n";
 
 }  // namespace
@@ -34,7 +34,8 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
       {2, "teapot", make_blinn_phong_scene}, {3, "teapot", make_shadow_scene}, {4, "lantern", make_point_scene}};
   for (const auto& row : rows) {
     INFO("step 0" << row.step << ", scene " << row.scene);
-    Place place;
+    Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
+    const Colour fog_colour = place.settings.colour("fog.colour");
     write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
     const Scene scene = row.make(row.scene, place.settings);
     place.open(features_of(row.step));

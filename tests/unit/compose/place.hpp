@@ -56,9 +56,15 @@ inline Features features_of(int step) {
 struct Place {
   TemporaryFolder folder;  ///< for shaders of features that a test brings
   std::unique_ptr<HeadlessContext> context = make_headless_context();
-  Settings settings{all_settings()};
+  Settings settings;
   std::unique_ptr<Renderer> renderer;
 
+  /// `more` are settings of features that a test brings.
+  explicit Place(std::vector<SettingSpec> more = {}) {
+    const std::vector<SettingSpec> known = all_settings();
+    more.insert(more.begin(), known.begin(), known.end());
+    settings = Settings(std::move(more));
+  }
   /// Takes these features from now on.
   void open(Features features) {
     const std::filesystem::path root = ATELIER_SOURCE_DIR;
