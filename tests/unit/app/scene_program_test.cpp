@@ -45,7 +45,7 @@ TEST_CASE("a scene program has the settings of the frame behind its own", "[scen
   for (const SettingSpec& spec : step.description().settings) names.push_back(spec.name);
   REQUIRE(names.size() > 4);
   CHECK(std::vector<std::string>(names.end() - 4, names.end()) ==
-        std::vector<std::string>{"segments", "frame.format", "frame.samples", "frame.supersampling"});
+        std::vector<std::string>{"tint.glow", "frame.format", "frame.samples", "frame.supersampling"});
 }
 
 TEST_CASE("the view settings have their effect", "[scene_program]") {

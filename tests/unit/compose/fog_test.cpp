@@ -10,8 +10,8 @@ using namespace atelier;
 using namespace atelier::test;
 
 class Fog : public Feature {
-  Colour colour_{};
-  void configure(const Settings& settings) override { colour_ = settings.colour("fog.colour"); }
+  glm::vec3 colour_{0};
+  void configure(const Settings& settings) override { colour_ = glm::vec3(settings.colour("fog.colour")); }
   Need need(const Scene&, const View&, const Node&) const override { return {.wanted = true}; }
   std::map<Slot, SlotCode> slots() const override { return {{Slot::modify_shaded, {"05-fog/fog.glsl", "fog"}}}; }
   std::optional<glm::vec3> background(const Scene&, const View&) const override { return colour_; }
@@ -35,7 +35,7 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
   for (const auto& row : rows) {
     INFO("step 0" << row.step << ", scene " << row.scene);
     Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
-    const Colour fog_colour = place.settings.colour("fog.colour");
+    const glm::vec3 fog_colour(place.settings.colour("fog.colour"));
     write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
     const Scene scene = row.make(row.scene, place.settings);
     place.open(features_of(row.step));

@@ -14,7 +14,7 @@ using namespace atelier;
 
 constexpr float frame_seconds = 1 / 60.0f;
 
-/// Dear ImGui without a display, over a viewer whose program has one setting.
+/// Dear ImGui without a display, over a viewer whose program has one setting of its own.
 class Panel {
  public:
   explicit Panel(const SettingSpec& setting)
@@ -38,7 +38,7 @@ class Panel {
   }
   ~Panel() { ImGui::DestroyContext(); }
 
-  const SettingValue& value() const { return viewer_->settings().values().begin()->second; }
+  const SettingValue& value() const { return viewer_->settings().value("sky"); }
 
   /// Presses at `from`, moves on by `right` in steps of a hand, and lets go.
   void drag(ImVec2 from, float right) {
