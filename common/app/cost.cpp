@@ -62,7 +62,7 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"texture_bytes", gl.texture_bytes, "bytes that textures hold, all levels, without targets"},
       {"target_bytes", gl.target_bytes, "bytes of the targets drawn into: colour, depth ..."},
       {"allocated_bytes", gl.allocated_bytes, "bytes of storage asked for in this frame"},
-      {"nodes", scene.nodes, "of the scene that have a mesh"},
+      {"nodes", scene.nodes, "of the scene that have a mesh, in all views together"},
       {"nodes_culled", scene.nodes_culled, "of those, outside the view and left out"},
       {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
       {"lights", scene.lights, "added up by the shaders for each point"},

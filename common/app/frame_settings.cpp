@@ -37,6 +37,13 @@ std::vector<SettingSpec> frame_settings() {
   };
 }
 
+SettingSpec texture_format_setting() {
+  return {.name = "texture.format",
+          .fallback = std::string("float"),
+          .choices = {"float", "8"},
+          .help = "how texels are stored: floats of 32 bits, or 8 bits (sRGB codes), a quarter of the memory"};
+}
+
 std::vector<SettingSpec> with_window_defaults(std::vector<SettingSpec> specs, int most_samples) {
   for (SettingSpec& spec : specs) {
     if (spec.name == "frame.format") spec.fallback = std::string("8");

@@ -15,6 +15,9 @@ namespace atelier {
 /// 32 bits, one sample, no supersampling. Every program has them among its settings (SceneProgram appends them).
 std::vector<SettingSpec> frame_settings();
 
+/// "texture.format": float, or 8 for sRGB codes. For programs with textures, whose own part it is to heed it.
+SettingSpec texture_format_setting();
+
 /// `specs` with the defaults of a window, where these settings are among them: 8 bits, which is all that a screen
 /// shows, and 4 samples a pixel, or 1 where the driver has fewer than 4.
 std::vector<SettingSpec> with_window_defaults(std::vector<SettingSpec> specs, int most_samples);

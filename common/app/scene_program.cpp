@@ -30,10 +30,6 @@ Scene import_aloud(const std::string& file) {
   return scene;
 }
 
-}  // namespace
-
-namespace {
-
 /// How pictures between two passes are stored; none: as the picture itself.
 std::optional<ColourFormat> chain_format(const StepDescription& description, const Settings& settings) {
   if (!lists(description, "chain.format")) return {};

@@ -37,7 +37,7 @@ std::vector<Figure> bench_parts(int repeats);
 /// A step's frames beside those of a baseline program, in `repeats` rounds.
 struct BaselineTable {
   measure::BaselinePlan plan;
-  std::vector<measure::Compared> rows;  ///< the baseline, then those of the plan
+  measure::BaselineComparison compared;
 };
 /// None where the step has no baseline.json, as in a release. Throws Error where the baseline's program is not built.
 std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats);

@@ -2,12 +2,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
+#include "gl/debug.hpp"
+#include "gl/query.hpp"
 
 namespace atelier {
 
 CubeTarget::CubeTarget(Gl& gl, const CubeTargetSpec& spec) : spec_(spec), texture_(gl) {
-  const int longest = longest_side(gl, spec.samples);
+  const int longest = std::min(longest_side(gl, spec.samples), integer_of(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE));
+  if (spec.colour == ColourFormat::none) throw Error("a cube of targets needs a colour");
   if (spec.edge < 1 || spec.edge > longest)
     throw Error(fmt::format("a cube of {} pixels a side: this driver has 1..{}", spec.edge, longest));
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture_.id());
@@ -28,6 +33,7 @@ CubeTarget::CubeTarget(Gl& gl, const CubeTargetSpec& spec) : spec_(spec), textur
                                    .depth = spec.depth,
                                    .samples = spec.samples},
                         Target::CubeFace{texture_.id(), side});
+  label(gl, GL_TEXTURE, texture_.id(), "cube of targets");
 }
 
 }  // namespace atelier

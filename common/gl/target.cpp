@@ -174,6 +174,10 @@ std::string to_string(const TargetSpec& spec) {
                      facts(spec.depth).name, spec.samples == 1 ? "" : fmt::format(", {} samples", spec.samples));
 }
 
+bool has_stencil(const TargetSpec& spec) {
+  return spec.depth == DepthFormat::depth24_stencil8 || spec.depth == DepthFormat::depth32f_stencil8;
+}
+
 GLenum internal_format(ColourFormat format) {
   return facts(format).internal;
 }

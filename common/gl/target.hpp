@@ -24,6 +24,8 @@ struct TargetSpec {
 
 GLenum internal_format(ColourFormat format);  ///< as OpenGL calls it: GL_RGBA32F ...
 
+bool has_stencil(const TargetSpec& spec);
+
 std::string to_string(const TargetSpec& spec);  ///< "640x480, colour rgba32f, depth depth24", ", 4 samples" if so
 
 /// Of all attachments together, by the formats' nominal sizes; with several samples these are the samples and the

@@ -22,8 +22,9 @@ std::vector<Rgba> stored_row(const Image& picture, int y, ColourFormat format) {
 
 void write_colour(Gl& gl, const Target& target, const Image& picture) {
   const TargetSpec& spec = target.spec();
-  if (spec.colour == ColourFormat::none || spec.samples != 1)
-    throw Error(fmt::format("target {}: a picture is written to a colour of one sample a pixel", to_string(spec)));
+  if (!target.colour_texture() || spec.samples != 1)
+    throw Error(
+        fmt::format("target {}: a picture is written to a colour of its own with one sample a pixel", to_string(spec)));
   if (picture.width() != spec.width || picture.height() != spec.height)
     throw Error(
         fmt::format("target {}: a picture of {}x{} does not fit", to_string(spec), picture.width(), picture.height()));

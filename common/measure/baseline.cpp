@@ -18,11 +18,13 @@ using strict_json::Json;
 constexpr std::size_t plan_limit = 1 << 16;  ///< bytes
 
 BaselineRow row_of(const Json& json, const std::string& where) {
-  strict_json::refuse_unknown(json, {"name", "settings", "aim", "no_larger_error"}, where);
+  strict_json::refuse_unknown(json, {"name", "settings", "baseline_settings", "aim", "no_larger_error"}, where);
   BaselineRow row;
   row.name = strict_json::text(strict_json::required(json, "name", where), where + ": name", 60);
   if (const Json* settings = strict_json::optional(json, "settings"))
     row.settings = settings_from_json(*settings, where + ": settings");
+  if (const Json* settings = strict_json::optional(json, "baseline_settings"))
+    row.baseline_settings = settings_from_json(*settings, where + ": baseline_settings");
   if (const Json* aim = strict_json::optional(json, "aim"))
     row.aim = strict_json::number(*aim, where + ": aim", 0.1, 100);
   if (const Json* flag = strict_json::optional(json, "no_larger_error"))
@@ -40,38 +42,45 @@ double median(std::vector<double> values) {
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-Case picture_of(const BaselinePlan& plan, const std::string& output, const BaselineRow* row) {
-  Case picture{.name = "picture", .scene = plan.scene, .size = plan.size, .output = output};
-  if (row) picture.settings = row->settings;
-  return picture;
+using SettingValues = std::map<std::string, SettingValue>;
+
+Case picture_of(const BaselinePlan& plan, const std::string& output, const SettingValues& settings) {
+  return {.name = "picture", .scene = plan.scene, .size = plan.size, .settings = settings, .output = output};
+}
+
+/// "shadow-demo", "shadow-demo, frame.format=8".
+std::string name_of_baseline(const BaselinePlan& plan, const SettingValues& settings) {
+  std::string name = plan.program;
+  for (const auto& [setting, value] : settings) name += fmt::format(", {}={}", setting, setting_text(value));
+  return name;
 }
 
 class Comparison {
  public:
-  Comparison(const BaselinePlan& plan, const Program& step, const Program& baseline)
-      : plan_(plan), step_(step), baseline_(baseline) {
-    colour_ = trace(step, {picture_of(plan, "colour", nullptr)}, plan.samples).front();
-    shadow_ = trace(step, {picture_of(plan, plan.shadow, nullptr)}, 1).front();
+  Comparison(const BaselinePlan& plan, const Program& step) : plan_(plan) {
+    colour_ = trace(step, {picture_of(plan, "colour", {})}, plan.samples).front();
+    shadow_ = trace(step, {picture_of(plan, plan.shadow, {})}, 1).front();
   }
 
-  double seconds(const BaselineRow* row, int frames) const {
-    return drawn(row, "colour", frames).cost.times.value().median;
+  double seconds(const Program& program, const SettingValues& settings, int frames) const {
+    return drawn(program, settings, "colour", frames).cost.times.value().median;
   }
 
-  /// A row, or without one the baseline: its errors; no times yet.
-  Compared errors(const BaselineRow* row) const {
-    return {.name = row ? row->name : plan_.program,
-            .rmse = error_of(drawn(row, "colour", 0).picture, colour_, ErrorMetric::rmse),
-            .wrong = error_of(drawn(row, plan_.shadow, 0).picture, shadow_, ErrorMetric::wrong, Encoding::data)};
+  /// The errors of a program under settings; no times yet.
+  Compared errors(const std::string& name, const Program& program, const SettingValues& settings) const {
+    const Image colour = drawn(program, settings, "colour", 0).picture;
+    const Image shadow = drawn(program, settings, plan_.shadow, 0).picture;
+    return {.name = name,
+            .rmse = error_of(colour, colour_, ErrorMetric::rmse),
+            .wrong = error_of(shadow, shadow_, ErrorMetric::wrong, Encoding::data)};
   }
 
  private:
-  Drawn drawn(const BaselineRow* row, const std::string& output, int frames) const {
-    return std::move(draw(row ? step_ : baseline_, {picture_of(plan_, output, row)}, frames).front());
+  Drawn drawn(const Program& program, const SettingValues& settings, const std::string& output, int frames) const {
+    return std::move(draw(program, {picture_of(plan_, output, settings)}, frames).front());
   }
 
   const BaselinePlan& plan_;
-  const Program &step_, &baseline_;
   Image colour_, shadow_;
 };
 
@@ -100,23 +109,34 @@ BaselinePlan read_baseline_plan(const std::filesystem::path& file) {
   return parse_baseline_plan(read_file(file, plan_limit), file.string());
 }
 
-std::vector<Compared> compare_with_baseline(const BaselinePlan& plan, const Program& step, const Program& baseline,
-                                            int rounds, int frames) {
-  const Comparison comparison(plan, step, baseline);
+BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program& step, const Program& baseline,
+                                         int rounds, int frames) {
+  const Comparison comparison(plan, step);
   std::vector<std::vector<Pair>> pairs(plan.rows.size());
   for (int round = 0; round < rounds; ++round)
     for (std::size_t row = 0; row < plan.rows.size(); ++row) {
-      const double before = comparison.seconds(nullptr, frames);
-      pairs[row].push_back({before, comparison.seconds(&plan.rows[row], frames)});
+      const double before = comparison.seconds(baseline, plan.rows[row].baseline_settings, frames);
+      pairs[row].push_back({before, comparison.seconds(step, plan.rows[row].settings, frames)});
     }
 
-  std::vector<Compared> all = {comparison.errors(nullptr)};
-  std::vector<double> of_baseline;
+  BaselineComparison all;
+  std::vector<SettingValues> drawn_with;              // by baseline
+  std::vector<std::vector<double>> baseline_seconds;  // the same
   for (std::size_t row = 0; row < plan.rows.size(); ++row) {
-    Compared compared = comparison.errors(&plan.rows[row]);
+    const BaselineRow& planned = plan.rows[row];
+    const auto known = std::ranges::find(drawn_with, planned.baseline_settings);
+    const auto against = std::size_t(known - drawn_with.begin());
+    if (known == drawn_with.end()) {
+      drawn_with.push_back(planned.baseline_settings);
+      baseline_seconds.emplace_back();
+      all.baselines.push_back(
+          comparison.errors(name_of_baseline(plan, planned.baseline_settings), baseline, planned.baseline_settings));
+    }
+    Compared compared = comparison.errors(planned.name, step, planned.settings);
+    compared.against = against;
     std::vector<double> seconds, ratios;
     for (const Pair& pair : pairs[row]) {
-      of_baseline.push_back(pair.baseline);
+      baseline_seconds[against].push_back(pair.baseline);
       seconds.push_back(pair.row);
       ratios.push_back(pair.baseline / pair.row);
     }
@@ -124,9 +144,9 @@ std::vector<Compared> compare_with_baseline(const BaselinePlan& plan, const Prog
     compared.ratio = median(ratios);
     compared.least = *std::min_element(ratios.begin(), ratios.end());
     compared.most = *std::max_element(ratios.begin(), ratios.end());
-    all.push_back(std::move(compared));
+    all.rows.push_back(std::move(compared));
   }
-  all.front().seconds = median(of_baseline);
+  for (std::size_t i = 0; i < all.baselines.size(); ++i) all.baselines[i].seconds = median(baseline_seconds[i]);
   return all;
 }
 

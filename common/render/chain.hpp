@@ -26,11 +26,12 @@ using PassInputs = std::map<std::string, Image>;
 /// One pass: a shader, or a function of the CPU.
 struct ChainPass {
   std::string name;                ///< its output: what the chain has made up to here
-  std::vector<std::string> reads;  ///< outputs of the same view beside the picture ("depth", "normal"): drawn only then
+  std::vector<std::string> reads;  ///< outputs of the view beside the picture ("depth", "normal"): drawn only then;
+                                   ///< "colour" is what the scene itself was before the first pass
   bool identity = false;           ///< changes no pixel: it is not run
 
   // As a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may
-  // read u_colour, what the pass before it has made; u_NAME for each of `reads`; u_size, pixels (vec2).
+  // read u_picture, what the pass before it has made; u_NAME for each of `reads`; u_size, pixels (vec2).
   SlotCode code;
   Defines structure;                       ///< #defines
   std::function<void(Binder&)> bind = {};  ///< sets its own uniforms

@@ -63,7 +63,8 @@ std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::s
 /// What the passes read and draw into.
 struct ChainRunner::Pictures {
   std::shared_ptr<const Target> scene;
-  std::array<std::shared_ptr<const Target>, 2> turns;
+  TargetSpec turn;                                              ///< of the two that passes draw into by turns
+  std::array<std::shared_ptr<const Target>, 2> turns;           ///< once they are needed
   std::map<std::string, std::shared_ptr<const Target>> inputs;  ///< by the name of the output
 };
 
@@ -72,11 +73,12 @@ ChainRunner::Pictures ChainRunner::draw_scene(const std::vector<ChainPass>& pass
   TargetSpec spec = target.spec();
   spec.colour = format;
   Pictures pictures{.scene = pool_.take(spec)};
+  pictures.inputs["colour"] = pictures.scene;
   draw("colour", *pictures.scene);
   pictures.scene->resolve(gl_);
   spec.depth = DepthFormat::none;
   spec.samples = 1;
-  for (auto& turn : pictures.turns) turn = pool_.take(spec);
+  pictures.turn = spec;
   spec.colour = ColourFormat::rgba32f;
   spec.depth = target.spec().depth;
   for (const ChainPass& pass : passes)
@@ -102,7 +104,7 @@ void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, co
   target.bind(gl_);
   gl_.UseProgram(program.program.id());
   Binder binder(gl_, program.uniforms);
-  binder.texture("u_colour", source.colour_texture());
+  binder.texture("u_picture", source.colour_texture());
   binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
   for (const std::string& output : pass.reads)
     binder.texture("u_" + output, pictures.inputs.at(output)->colour_texture());
@@ -136,12 +138,16 @@ void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, 
     throw Error("a chain of passes needs the functions of step 08: this program hands none to the renderer");
   std::vector<ChainPass> passes = given;
   if (on_cpu(passes.back())) passes.push_back(copy_pass());
-  const Pictures pictures = draw_scene(passes, format, target, draw);
+  Pictures pictures = draw_scene(passes, format, target, draw);
   const Target* source = pictures.scene.get();
   int at = -1;
   for (const ChainPass& pass : passes) {
     const bool last = &pass == &passes.back();
-    if (!last) at = next_target(at);
+    if (!last) {
+      at = next_target(at);
+      auto& turn = pictures.turns[std::size_t(at)];
+      if (!turn) turn = pool_.take(pictures.turn);
+    }
     const Target& next = last ? target : *pictures.turns[std::size_t(at)];
     const DebugGroup group(gl_, "pass: " + pass.name);
     if (on_cpu(pass))

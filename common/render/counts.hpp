@@ -7,7 +7,7 @@ namespace atelier {
 
 /// Of one frame. What OpenGL was asked for stands in GlCounts.
 struct SceneCounts {
-  std::int64_t nodes = 0;          ///< with a mesh: what there is to draw
+  std::int64_t nodes = 0;          ///< with a mesh: what there is to draw, in all views together
   std::int64_t nodes_culled = 0;   ///< of those, left out because they are outside the view
   std::int64_t matrices = 0;       ///< world and normal matrices computed
   std::int64_t lights = 0;         ///< that the shaders add up for each point

@@ -33,6 +33,10 @@ class Feature {
   /// Takes the settings of the frames to come.
   virtual void configure(const Settings&) {}
 
+  /// Tangents of a mesh, one a vertex (as Mesh::tangents), for surfaces whose `need` defines TANGENTS: uploaded once as
+  /// attribute 3. Empty: none. The first feature that answers is taken.
+  virtual std::vector<glm::vec4> tangents(const Scene&, int /*mesh*/) const { return {}; }
+
   /// Adds lights to those of the scene: images of lights in a mirror. Also where something has moved.
   virtual void add_lights(const Scene&, std::vector<Light>&) const {}
 
@@ -42,10 +46,6 @@ class Feature {
 
   /// Makes what the scene needs of it in OpenGL's memory. Called once for a scene.
   virtual void prepare(Gl&, const Scene&) {}
-
-  /// Tangents of a mesh, one a vertex (as Mesh::tangents), for surfaces whose `need` defines TANGENTS: uploaded once as
-  /// attribute 3. Empty: none. The first feature that answers is taken.
-  virtual std::vector<glm::vec4> tangents(const Scene&, int /*mesh*/) const { return {}; }
 
   /// Whether views of this scene are drawn inside others: targets then have a stencil buffer.
   virtual bool needs_stencil(const Scene&) const { return false; }
@@ -60,6 +60,9 @@ class Feature {
 
   // ---- For each view, those inside others too
 
+  /// Passes for the picture of a view that has a target for itself, in their order.
+  virtual std::vector<ChainPass> passes(const Scene&, const View&) const { return {}; }
+
   /// Draws what the view needs beforehand, into targets of the feature's own: maps of shadows. What it has made is
   /// right until the next view. Called with OpenGL's usual state; may leave it as it likes.
   virtual void draw_before(Gl&, const Scene&, const Viewpoint&, ScenePainter&) {}
@@ -71,7 +74,8 @@ class Feature {
   /// shadow map as it is stored. Called with the target bound, the last feature first.
   virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
-  /// Whether a node is left out of a view, its surface being the feature's to draw: the opening of a portal.
+  /// Whether a node is left out of a view, its surface being the feature's to draw: the opening of a portal. Asked for
+  /// as `need` is.
   virtual bool hides(const Scene&, const View&, const Node&) const { return false; }
 
   /// Asked for each node with a mesh. May depend on scene, settings, the view's output and what `draw_before` has
@@ -82,7 +86,8 @@ class Feature {
   /// Which slots it fills where it is wanted.
   virtual std::map<Slot, SlotCode> slots() const { return {}; }
 
-  /// Intermediates that it can show: output name to a GLSL expression of type vec3 over `Surface surface`.
+  /// Intermediates that it can show: output name to a GLSL expression of type vec3 over `Surface surface`
+  /// and `shaded`, the light that leaves it when all features have had their say.
   virtual std::map<std::string, std::string> outputs() const { return {}; }
 
   /// Sets what is the same for all draws of a view with one program: called once for draws that follow each other. May
@@ -94,9 +99,6 @@ class Feature {
   /// Draws views inside the one that has just been drawn, by ScenePainter::draw_view_inside. It is called for these
   /// views too: whoever recurses says when it ends.
   virtual void draw_inside(Gl&, const Scene&, const Viewpoint&, const Target&, ScenePainter&) {}
-
-  /// Passes for the picture of a view that has a target for itself, in their order.
-  virtual std::vector<ChainPass> passes(const Scene&, const View&) const { return {}; }
 
   /// Adds what its part of a frame has cost. Asked after each frame.
   virtual void count(SceneCounts&) const {}

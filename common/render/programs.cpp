@@ -78,7 +78,8 @@ Program Programs::build(const ChainKey& key) const {
       "  v_texcoord = gl_Position.xy * 0.5 + 0.5;\n"
       "}}\n",
       key.full_screen_glsl);
-  std::string fragment = "in vec2 v_texcoord;\nout vec4 o_colour;\nuniform sampler2D u_colour;\nuniform vec2 u_size;\n";
+  std::string fragment =
+      "in vec2 v_texcoord;\nout vec4 o_colour;\nuniform sampler2D u_picture;\nuniform vec2 u_size;\n";
   for (const std::string& name : key.reads) fragment += fmt::format("uniform sampler2D u_{};\n", name);
   fragment += fmt::format("#include \"{}\"\nvoid main() {{ o_colour = {}(v_texcoord); }}\n", key.code.include,
                           key.code.function);
@@ -125,9 +126,9 @@ bool Programs::reload_changed(std::map<Key, Program>& programs, std::string& wor
 
 Programs::Reloaded Programs::reload_changed() {
   Reloaded reloaded;
-  const bool surfaces = reload_changed(surfaces_, reloaded.words);
+  reload_changed(surfaces_, reloaded.words);
   reloaded.passes = reload_changed(passes_, reloaded.words);
-  reloaded.any = reload_changed(chain_, reloaded.words) || surfaces || reloaded.passes;
+  reload_changed(chain_, reloaded.words);
   return reloaded;
 }
 

@@ -45,7 +45,6 @@ class Programs {
   Program& chain_pass(const ChainKey& key);
 
   struct Reloaded {
-    bool any = false;     ///< a program has changed
     bool passes = false;  ///< one that features draw with for themselves
     std::string words;    ///< the driver's, where it refused one: the old one stays
   };

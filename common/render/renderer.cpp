@@ -6,6 +6,7 @@
 
 #include "gl/debug.hpp"
 #include "gl/state.hpp"
+#include "render/bind_viewpoint.hpp"
 #include "render/cull.hpp"
 
 namespace atelier {
@@ -15,11 +16,6 @@ namespace {
 /// Whether clip space has depths from 0 to w instead of from -w to w.
 bool depth_from_zero(const View& view) {
   return view.reversed_depth && view.camera.projection == Projection::perspective;
-}
-
-bool has_stencil(const Target& target) {
-  const DepthFormat format = target.spec().depth;
-  return format == DepthFormat::depth24_stencil8 || format == DepthFormat::depth32f_stencil8;
 }
 
 /// The outermost view around one, or itself.
@@ -208,7 +204,7 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   if (!view.parent) {  // otherwise what is there belongs to the view around
     const glm::vec3 colour = background(view);
     gl_.ClearColor(colour.r, colour.g, colour.b, 1);
-    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (has_stencil(target) ? GL_STENCIL_BUFFER_BIT : 0));
+    gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (has_stencil(target.spec()) ? GL_STENCIL_BUFFER_BIT : 0));
   }
   transforms_.set_wireframe(gl_, view.wireframe);
 }
@@ -219,23 +215,6 @@ struct Renderer::Drawing {
   const Program* program = nullptr;  ///< in use
   std::optional<Binder> bound;       ///< has set what is the same for all its draws; a material's textures come behind
 };
-
-namespace {
-
-/// The plane of a view in the space that shaders call world.
-glm::vec4 moved_plane(const glm::dvec4& plane, const glm::dvec3& origin) {
-  return glm::vec4(glm::dvec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), origin)));
-}
-
-/// What every program that draws nodes for a view is told of it.
-void bind_viewpoint(Binder& binder, const Viewpoint& viewpoint) {
-  binder.set("u_view", viewpoint.world_to_view);
-  binder.set("u_projection", viewpoint.projection);
-  binder.set("u_eye_world", viewpoint.eye);
-  if (const auto& plane = viewpoint.view.clip_plane) binder.set("u_clip_plane", moved_plane(*plane, viewpoint.origin));
-}
-
-}  // namespace
 
 void Renderer::use(const Variant& variant, Drawing& drawing) {
   if (drawing.program == variant.program) return;
@@ -287,6 +266,7 @@ bool Renderer::drawn_instead(const View& view, const Target& target) {
 void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
+  mirrored_ = false;  // of this view, not of what is drawn before it
   for (const auto& feature : features_) {
     reset_state(gl_);
     target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
@@ -355,61 +335,6 @@ void Renderer::draw_view(const View& view, const Target& target) {
   const DebugGroup group(gl_, "view");
   draw_with_chain(view, target);
   target.resolve(gl_);
-}
-
-/// Draws the surface of an opening in one colour, as it stands in the view around.
-void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
-  PassSources pass{.name = "opening",
-                   .vertex =
-                       "#ifdef CLIP_PLANE\nuniform vec4 u_clip_plane;\n#endif\n"
-                       "void main() {\n"
-                       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n"
-                       "#ifdef CLIP_PLANE\n"
-                       "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
-                       "#endif\n"
-                       "}\n",
-                   .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
-  if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
-  paint(pass, std::span(&opening, 1), [&](Binder& binder) {
-    bind_viewpoint(binder, around);
-    binder.set("u_colour", colour);
-  });
-}
-
-void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
-                                const NestingFunctions& functions) {
-  constexpr int most_levels = 255;
-  const int level = around.view.stencil_level;
-  if (!has_stencil(target))
-    throw Error(fmt::format("a view inside another needs a stencil buffer, and the target has none ({})",
-                            to_string(target.spec())));
-  if (level >= most_levels)
-    throw Error(fmt::format("views are nested {} deep: a stencil buffer of 8 bits counts no further", level));
-  view.parent = &around.view;
-  view.stencil_level = level + 1;
-
-  const DebugGroup group(gl_, fmt::format("view inside, level {}", view.stencil_level));
-  set_bounds(around, target);
-  functions.begin_mark(gl_, level);
-  paint_opening(around, opening, glm::vec3(0));
-
-  // The farthest depth and the background in what is marked.
-  set_bounds(around, target);
-  gl_.Enable(GL_STENCIL_TEST);
-  gl_.StencilFunc(GL_EQUAL, level + 1, 0xff);
-  gl_.DepthFunc(GL_ALWAYS);
-  const double farthest = view.reversed_depth ? 0.0 : 1.0;
-  gl_.DepthRange(farthest, farthest);
-  paint_opening(around, opening, background(view));
-
-  draw_scene(view, target);
-
-  // A view in a moved world has placed the nodes anew.
-  counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
-  set_bounds(around, target);
-  functions.begin_restore(gl_, level);
-  paint_opening(around, opening, glm::vec3(0));
-  set_bounds(around, target);
 }
 
 }  // namespace atelier

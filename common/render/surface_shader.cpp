@@ -225,8 +225,12 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
       "  v_normal_world = world_normal(u_normal_matrix, a_normal);\n"
       "  v_texcoord = a_texcoord;\n"
       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n";
-  // A tangent lies in the surface: it goes with the model's matrix, as positions do.
-  if (tangents) text += "  v_tangent_world = vec4(mat3(u_model) * a_tangent.xyz, a_tangent.w);\n";
+  // A tangent lies in the surface: it goes with the model's matrix, as positions do. One that mirrors exchanges the
+  // side that cross(normal, tangent) points to.
+  if (tangents)
+    text +=
+        "  v_tangent_world = vec4(mat3(u_model) * a_tangent.xyz, determinant(mat3(u_model)) < 0.0 ? -a_tangent.w : "
+        "a_tangent.w);\n";
   if (clips) text += "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(v_position_world, 1.0));\n";
   if (lights) text += surface_statement + lighting_statements(key) + "  v_shaded = shaded;\n";
   return text + "}\n";
@@ -239,18 +243,21 @@ std::string fragment_stage(const SurfaceKey& key) {
   if (lit) text += "in vec3 v_shaded;\n";
   if (key.structure.contains("TANGENTS")) text += "in vec4 v_tangent_world;\n";
   text += lit ? features_text(key, slots_beside_lighting) : features_text(key, all_slots);
-  text += std::string("void main() {\n") + surface_statement +
-          "#ifdef TWO_SIDED\n"
-          "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
-          "#endif\n";
+  text += fmt::format(
+      "void main() {{\n{}"
+      "#ifdef TWO_SIDED\n"
+      "  if (!gl_FrontFacing) surface.normal_world = -surface.normal_world;\n"
+      "#endif\n",
+      surface_statement);
   text +=
       calls(Slot::displace_texcoord, key, "  {}(surface);\n") + calls(Slot::modify_surface, key, "  {}(surface);\n");
   text += calls(Slot::discard_fragment, key, "  if ({}(surface)) discard;\n");
-  if (key.output == "colour") {
+  const std::string output = output_expression(key);
+  if (output.find("shaded") != std::string::npos) {
     text += lit ? "  vec3 shaded = v_shaded;\n" : lighting_statements(key);
     text += calls(Slot::modify_shaded, key, "  shaded = {}(surface, shaded);\n");
   }
-  return text + "  o_colour = vec4(" + output_expression(key) + ", 1.0);\n}\n";
+  return text + fmt::format("  o_colour = vec4({}, 1.0);\n}}\n", output);
 }
 
 }  // namespace

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "gl/cube_target.hpp"
+#include "gl/debug.hpp"
 #include "gl/target.hpp"
 
 namespace atelier {
@@ -48,6 +50,7 @@ std::shared_ptr<const Kind> TargetPool::take_from(std::vector<Entry<Kind>>& entr
       return entry.target;
     }
   entries.push_back({std::make_shared<const Kind>(gl_, spec)});
+  if constexpr (std::is_same_v<Kind, Target>) label(gl_, *entries.back().target, "pooled target");
   return entries.back().target;
 }
 

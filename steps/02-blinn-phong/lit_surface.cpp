@@ -7,7 +7,9 @@
 #include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "app/frame_settings.hpp"
 #include "gl/compact_texture.hpp"
+#include "gl/debug.hpp"
 #include "image/colour.hpp"
 #include "scene/light_reach.hpp"
 
@@ -85,10 +87,7 @@ std::vector<SettingSpec> lit_surface_settings() {
        .fallback = std::string("before"),
        .choices = {"before", "after"},
        .help = "when texels are decoded from sRGB: before filtering (right), or after it (cheaper to store)"},
-      {.name = "texture.format",
-       .fallback = std::string("float"),
-       .choices = {"float", "8"},
-       .help = "how texels are stored: floats of 32 bits, or 8 bits (sRGB codes), a quarter of the memory"},
+      texture_format_setting(),
   };
 }
 
@@ -150,6 +149,7 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
       const std::vector<Image> levels =
           filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
       textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
+      label(gl, GL_TEXTURE, textures_[std::size_t(*index)].id(), texture.name);
       if (compact_textures_)
         store_in_8_bits(gl, textures_[std::size_t(*index)].id(),
                         decode_after_filter_ ? Encoding::srgb : Encoding::linear);
@@ -187,7 +187,7 @@ std::map<Slot, SlotCode> LitSurface::slots() const {
 std::map<std::string, std::string> LitSurface::outputs() const {
   return {{"diffuse", "shade_diffuse_only(surface)"},
           {"specular", "shade_specular_only(surface)"},
-          {"encoded", "srgb_encode(shade_surface(surface))"}};
+          {"encoded", "srgb_encode(shaded)"}};
 }
 
 void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
@@ -224,6 +224,7 @@ GLuint LitSurface::power_table_for(float exponent) {
     const std::vector<float> table = blinn_phong::power_table(exponent, table_size_);
     for (int i = 0; i < table_size_; ++i) row.at(i, 0).r = table[std::size_t(i)];
     const GLuint texture = blinn_phong::upload_texture(*gl_, std::span(&row, 1), Wrap::clamp_to_edge, Filter::linear);
+    label(*gl_, GL_TEXTURE, texture, fmt::format("power table of {}", exponent));
     found = power_tables_.emplace(exponent, GlTexture(*gl_, texture)).first;
   }
   return found->second.id();

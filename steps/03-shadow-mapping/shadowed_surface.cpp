@@ -193,11 +193,12 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
 }
 
 void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
-  shown_ = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
+  const bool shown = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
+  shown_ |= shown;
   frame_.looked_up.reset();
   if (!shows_shadows(viewpoint.view)) return;
   const bool keep = settings_.keep;
-  if (shown_ && !keep && !settings_.pcss) frame_.looked_up = visible_receivers(scene, painter.items(), viewpoint);
+  if (shown && !keep && !settings_.pcss) frame_.looked_up = visible_receivers(scene, painter.items(), viewpoint);
   if (!found_ || !keep || settings_.fit == ShadowSettings::Fit::visible || viewpoint.view.camera_relative)
     find_maps(scene, viewpoint, painter);
   if (!frame_.maps.empty()) make_room(gl);

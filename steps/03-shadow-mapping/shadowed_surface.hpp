@@ -52,6 +52,7 @@ class ShadowedSurface : public Feature {
   void configure(const Settings& settings) override;
   void prepare(Gl& gl, const Scene& scene) override;
   void moved(const Scene& scene) override;
+  void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
   void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
   bool draw_instead(Gl& gl, const View& view, const Target& target) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
@@ -85,7 +86,7 @@ class ShadowedSurface : public Feature {
   ShadowSettings settings_;
 
   FrameMaps frame_;
-  bool shown_ = false;  ///< whether the last frame's shaders read the maps
+  bool shown_ = false;  ///< whether shaders of the last frame read the maps
   bool found_ = false;  ///< whether the maps are right for scene and settings
   Defines structure_;   ///< of surfaces that receive shadows, in the last frame
   shadow_mapping::ShadowMaps names_;

@@ -195,7 +195,8 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& pa
 }
 
 void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
-  shown_ = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
+  const bool shown = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
+  shown_ |= shown;
   if (!shows_shadows(viewpoint.view)) return;
   const bool keep = settings_.keep;
   if (!found_ || !keep || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);

@@ -19,6 +19,7 @@ class PointShadowedSurface : public Feature {
   void configure(const Settings& settings) override;
   void prepare(Gl&, const Scene& scene) override { moved(scene); }
   void moved(const Scene& scene) override;
+  void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
   void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
   bool draw_instead(Gl& gl, const View& view, const Target& target) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
@@ -66,7 +67,7 @@ class PointShadowedSurface : public Feature {
   bool layered_ = true, every_face_ = false;
   std::vector<Cubed> cubes_;
   bool found_ = false;  ///< whether cubes_ is right for scene and settings
-  bool shown_ = false;  ///< whether the last frame's shaders read the cubes
+  bool shown_ = false;  ///< whether shaders of the last frame read the cubes
   Defines structure_;   ///< of surfaces that receive shadows, in the last frame
   std::vector<Room> rooms_;
   MapPicture showing_cube_;  ///< six faces side by side

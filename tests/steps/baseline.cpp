@@ -64,17 +64,21 @@ TEST_CASE("the comparison with a baseline comes out whole", "[baseline]") {
     const Printed run = printed({"bench", r.step.name, "--baseline", "--repeats", "1", "--json"});
     REQUIRE(run.exit_status == 0);
     const auto& rows = run.json["baseline"];
-    REQUIRE(rows.size() == 1 + r.plan.rows.size());
+    constexpr std::size_t baselines = 2;  // in floats, and in 8 bits
+    REQUIRE(rows.size() == baselines + r.plan.rows.size());
     CHECK(rows[0]["name"] == r.plan.program);
+    CHECK(mentions(rows[1]["name"].get<std::string>(), {r.plan.program, "frame.format=8", "texture.format=8"}));
     CHECK(rows[0]["ratio"] == 1);
     for (std::size_t i = 0; i < rows.size(); ++i) {
       CHECK(rows[i]["seconds"].get<double>() > 0);
       CHECK(rows[i]["rmse"].get<double>() > 0);  // a picture of OpenGL's is never the truth to the last bit
       CHECK(rows[i]["wrong"].get<double>() < 0.05);
-      if (i == 0) continue;
-      CHECK(rows[i]["name"] == r.plan.rows[i - 1].name);
+      if (i < baselines) continue;
+      const measure::BaselineRow& planned = r.plan.rows[i - baselines];
+      CHECK(rows[i]["name"] == planned.name);
+      CHECK(rows[i]["against"] == rows[planned.baseline_settings.empty() ? 0 : 1]["name"]);
       CHECK(rows[i]["ratio"].get<double>() > 0);
-      CHECK(rows[i].contains("reached") == (r.plan.rows[i - 1].aim > 0));
+      CHECK(rows[i].contains("reached") == (planned.aim > 0));
     }
     CHECK(run.json["figures"].empty());
   }

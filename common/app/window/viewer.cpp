@@ -95,7 +95,7 @@ void Viewer::resize(glm::ivec2 pixels) {
 // ---- The camera
 
 Camera Viewer::camera() const {
-  // Not moved means untouched to the last bit: the window then shows exactly what --out draws.
+  // Not moved means untouched to the last bit: the camera is then exactly that of --out.
   Camera camera = program_.camera();
   if (first_camera_) camera = apply(*first_camera_, camera);
   return moved_ ? camera_on(orbit_, camera, start_) : camera;

@@ -5,6 +5,6 @@ struct Surface {
   vec2 texcoord;        // (0,0) lower left
   vec3 eye_world;       // where the viewer stands
 #ifdef TANGENTS
-  vec4 tangent_world;  // along +u, interpolated and not made unit; w is the sign of the bitangent; 0 where there is none
+  vec4 tangent_world;  // along +u, interpolated and not made unit; w is the sign of the bitangent; xyz is 0 where there is none
 #endif
 };

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "gl/compact_texture.hpp"
+
 namespace atelier::shadow_demo {
 
 namespace {
@@ -29,7 +31,7 @@ GlTexture upload(Gl& gl, const Image& picture) {
 
 }  // namespace
 
-DemoScene::DemoScene(Gl& gl, Scene scene) : scene_(std::move(scene)) {
+DemoScene::DemoScene(Gl& gl, Scene scene, bool compact_texture) : scene_(std::move(scene)) {
   for (const Mesh& mesh : scene_.meshes) {
     const std::vector<Vertex> corners = written_out(mesh);
     Drawn& drawn = meshes_.emplace_back(GlVertexArray(gl), GlBuffer(gl), GLsizei(corners.size()));
@@ -48,6 +50,7 @@ DemoScene::DemoScene(Gl& gl, Scene scene) : scene_(std::move(scene)) {
   gl.BindVertexArray(0);
   for (const glm::dmat4& model : world_matrices_exact(scene_.nodes)) models_.emplace_back(model);
   texture_ = upload(gl, scene_.textures.at(std::size_t(material().diffuse_texture.value())).pixels);
+  if (compact_texture) store_in_8_bits(gl, texture_.id(), Encoding::linear);
 }
 
 void DemoScene::draw(Gl& gl, Uniforms& uniforms) const {

@@ -11,8 +11,9 @@ namespace atelier::shadow_demo {
 
 class DemoScene {
  public:
-  /// Uploads the meshes, without indices, and the first material's texture as 32-bit floats with mipmaps.
-  DemoScene(Gl& gl, Scene scene);
+  /// Uploads the meshes, without indices, and the first material's texture with mipmaps: as 32-bit floats, or with
+  /// `compact_texture` as sRGB codes of 8 bits.
+  DemoScene(Gl& gl, Scene scene, bool compact_texture);
 
   const Scene& scene() const { return scene_; }
   const Material& material() const { return scene_.materials.front(); }

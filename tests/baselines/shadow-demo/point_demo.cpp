@@ -83,8 +83,8 @@ std::array<glm::mat4, 6> faces_around(const glm::vec3& lamp) {
 
 class PointDemo : public TwoPassDemo {
  public:
-  explicit PointDemo(Gl& gl)
-      : TwoPassDemo(gl, make_cube_room_scene(), make_cube_map(gl),
+  PointDemo(Gl& gl, bool compact_textures)
+      : TwoPassDemo(gl, DemoScene(gl, make_cube_room_scene(), compact_textures), make_cube_map(gl),
                     build(gl, to_world_vertex, depth_fragment, depth_geometry), lit_vertex(), lamp_shadow) {}
 
  private:
@@ -104,8 +104,8 @@ class PointDemo : public TwoPassDemo {
 
 }  // namespace
 
-std::unique_ptr<Demo> make_point_demo(Gl& gl) {
-  return std::make_unique<PointDemo>(gl);
+std::unique_ptr<Demo> make_point_demo(Gl& gl, bool compact_textures) {
+  return std::make_unique<PointDemo>(gl, compact_textures);
 }
 
 }  // namespace atelier::shadow_demo

@@ -54,9 +54,10 @@ DepthMap make_flat_map(Gl& gl) {
 
 class SunDemo : public TwoPassDemo {
  public:
-  explicit SunDemo(Gl& gl)
-      : TwoPassDemo(gl, make_cubes_scene(), make_flat_map(gl), build(gl, to_light_vertex, "void main() {}\n"),
-                    lit_vertex(to_map_declarations, to_map), sun_shadow) {}
+  SunDemo(Gl& gl, bool compact_textures)
+      : TwoPassDemo(gl, DemoScene(gl, make_cubes_scene(), compact_textures), make_flat_map(gl),
+                    build(gl, to_light_vertex, "void main() {}\n"), lit_vertex(to_map_declarations, to_map),
+                    sun_shadow) {}
 
  private:
   void set_depth_light(Uniforms& uniforms) override { uniforms.set("u_world_to_light", world_to_light()); }
@@ -73,8 +74,8 @@ class SunDemo : public TwoPassDemo {
 
 }  // namespace
 
-std::unique_ptr<Demo> make_sun_demo(Gl& gl) {
-  return std::make_unique<SunDemo>(gl);
+std::unique_ptr<Demo> make_sun_demo(Gl& gl, bool compact_textures) {
+  return std::make_unique<SunDemo>(gl, compact_textures);
 }
 
 }  // namespace atelier::shadow_demo

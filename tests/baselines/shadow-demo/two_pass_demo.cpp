@@ -4,10 +4,10 @@
 
 namespace atelier::shadow_demo {
 
-TwoPassDemo::TwoPassDemo(Gl& gl, Scene scene, DepthMap map, Program depth, const std::string& lit_vertex,
+TwoPassDemo::TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, Program depth, const std::string& lit_vertex,
                          const std::string& shadow)
     : gl_(gl),
-      demo_(gl, std::move(scene)),
+      demo_(std::move(scene)),
       map_(std::move(map)),
       depth_(std::move(depth)),
       colour_(build(gl, lit_vertex, lit_fragment(shadow, false))),

@@ -21,7 +21,7 @@ class TwoPassDemo : public Demo {
 
  protected:
   /// `depth` draws into the map, all of its layers at once; `lit_vertex` and `shadow` as in lit_shaders.hpp.
-  TwoPassDemo(Gl& gl, Scene scene, DepthMap map, Program depth, const std::string& lit_vertex,
+  TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, Program depth, const std::string& lit_vertex,
               const std::string& shadow);
 
  private:

@@ -2,6 +2,7 @@
 // is lost under it.
 #include <cmath>
 
+#include "image/colour.hpp"
 #include "place.hpp"
 
 namespace {
@@ -58,12 +59,28 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
   }
 }
 
-TEST_CASE("lights of a step are darkened by shadows, with and without a fog over them", "[compose]") {
-  // What the test above compares with must have shadows in it.
+TEST_CASE("the scenes that a fog is laid over have shadows in them", "[compose]") {
   Place place;
-  const Scene scene = make_point_scene("lantern", place.settings);
-  place.open(features_of(4));
-  const Image with = place.draw(scene);
-  place.open(features_of(2));
-  CHECK_FALSE(with == place.draw(scene));
+  for (const int step : {3, 4}) {
+    INFO("step 0" << step);
+    const Scene scene =
+        step == 3 ? make_shadow_scene("teapot", place.settings) : make_point_scene("lantern", place.settings);
+    place.open(features_of(step));
+    const Image with = place.draw(scene);
+    place.open(features_of(2));
+    CHECK_FALSE(with == place.draw(scene));
+  }
+}
+
+TEST_CASE("a fog is seen in the picture that a student's function has encoded, too", "[compose]") {
+  Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
+  write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
+  const Scene scene = make_blinn_phong_scene("teapot", place.settings);
+  Features features = features_of(2);
+  features.push_back(std::make_unique<Fog>());
+  place.open(std::move(features));
+  const Image light = place.draw(scene), encoded = place.draw(scene, "encoded");
+  const Rgba seen = light.at(48, 48), codes = encoded.at(48, 48);
+  CHECK(codes.r == Approx(srgb_encode(double(seen.r))).margin(1e-5));  // roundings of a power
+  CHECK(codes.b == Approx(srgb_encode(double(seen.b))).margin(1e-5));
 }

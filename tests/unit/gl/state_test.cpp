@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "contexts.hpp"
 #include "gl/query.hpp"
+#include "gl/shader.hpp"
 
 namespace {
 
@@ -51,6 +52,10 @@ std::map<std::string, std::vector<double>> state_of(Gl& gl) {
   integers("program", GL_CURRENT_PROGRAM);
   integers("vertex array", GL_VERTEX_ARRAY_BINDING);
   integers("texture unit", GL_ACTIVE_TEXTURE);
+  if (gl.ClipControl.call) {
+    integers("clip origin", GL_CLIP_ORIGIN);
+    integers("clip depths", GL_CLIP_DEPTH_MODE);
+  }
   std::array<GLint, 2> modes{};  // core contexts answer one, others two
   gl.GetIntegerv(GL_POLYGON_MODE, modes.data());
   state["polygon mode"] = {double(modes[0])};
@@ -62,7 +67,9 @@ std::map<std::string, std::vector<double>> state_of(Gl& gl) {
 }
 
 /// As untidy as functions may be that nobody has seen yet.
-void disorder(Gl& gl, GLuint vertex_array) {
+void disorder(Gl& gl, GLuint vertex_array, GLuint program) {
+  gl.UseProgram(program);
+  if (gl.ClipControl.call) gl.ClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
   for (const GLenum what :
        {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_CULL_FACE, GL_POLYGON_OFFSET_FILL, GL_BLEND,
         GL_FRAMEBUFFER_SRGB, GL_CLIP_DISTANCE0, GL_CLIP_DISTANCE0 + 5})
@@ -91,11 +98,16 @@ TEST_CASE("whatever a function leaves behind, drawing starts from the state of a
   Gl& gl = context->gl();
   const auto fresh = state_of(gl);
   const GlVertexArray vertex_array(gl);
-  disorder(gl, vertex_array.id());
+  const auto stage = [](const std::string& text) {
+    return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, text, "state", {});
+  };
+  const GlProgram program = build_program(gl, stage("void main() { gl_Position = vec4(0.0); }\n"),
+                                          stage("out vec4 o; void main() { o = vec4(0.0); }\n"));
+  disorder(gl, vertex_array.id(), program.id());
   const auto left = state_of(gl);
   for (const auto& [name, values] : fresh) {
     INFO(name);
-    if (name != "program") CHECK(left.at(name) != values);  // or the test would not see it
+    CHECK(left.at(name) != values);  // or the test would not see it
   }
   reset_state(gl);
   for (const auto& [name, values] : fresh) {

@@ -14,15 +14,16 @@ using test::error_of;
 using test::mentions;
 
 json comparison() {
-  return {{"baseline", "shadow-demo"},
-          {"scene", "cubes"},
-          {"size", {80, 60}},
-          {"shadow", "shadow_factor"},
-          {"samples", 4},
-          {"rows",
-           {{{"name", "the same settings"}, {"settings", {{"shadow.pcf", 3}, {"sky", {0.2, 0.5, 1}}}}, {"aim", 1}},
-            {{"name", "fitted"}, {"aim", 1.5}, {"no_larger_error", true}},
-            {{"name", "as it is"}}}}};
+  return {
+      {"baseline", "shadow-demo"},
+      {"scene", "cubes"},
+      {"size", {80, 60}},
+      {"shadow", "shadow_factor"},
+      {"samples", 4},
+      {"rows",
+       {{{"name", "the same settings"}, {"settings", {{"shadow.pcf", 3}, {"sky", {0.2, 0.5, 1}}}}, {"aim", 1}},
+        {{"name", "fitted"}, {"aim", 1.5}, {"no_larger_error", true}, {"baseline_settings", {{"frame.format", "8"}}}},
+        {{"name", "as it is"}}}}};
 }
 
 }  // namespace
@@ -40,7 +41,9 @@ TEST_CASE("a comparison with a baseline is read as it is written") {
   CHECK(plan.rows[0].settings.at("sky") == SettingValue(Colour(0.2, 0.5, 1)));
   CHECK(plan.rows[0].aim == 1);
   CHECK_FALSE(plan.rows[0].no_larger_error);
+  CHECK(plan.rows[0].baseline_settings.empty());
   CHECK(plan.rows[1].settings.empty());
+  CHECK(plan.rows[1].baseline_settings.at("frame.format") == SettingValue(std::string("8")));
   CHECK(plan.rows[1].aim == 1.5);
   CHECK(plan.rows[1].no_larger_error);
   CHECK(plan.rows[2].aim == 0);
@@ -66,6 +69,9 @@ TEST_CASE("a comparison that is wrong is refused, with the place in words") {
       {"no row", [](json& d) { d["rows"] = json::array(); }, {"baseline.json: rows", "at least one"}},
       {"a row without a name", [](json& d) { d["rows"][1].erase("name"); }, {"row 2", "name"}},
       {"an unknown member of a row", [](json& d) { d["rows"][0]["goal"] = 2; }, {"row 1", "goal"}},
+      {"settings of the baseline that are none",
+       [](json& d) { d["rows"][0]["baseline_settings"] = 3; },
+       {"row 1", "baseline_settings"}},
       {"settings that are none", [](json& d) { d["rows"][0]["settings"] = 3; }, {"row 1", "settings"}},
       {"a colour of two numbers",
        [](json& d) {

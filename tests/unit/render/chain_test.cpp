@@ -27,7 +27,7 @@ ChainFunctions chain_functions(Shaders& shaders) {
 ChainPass shader_pass(Shaders& shaders, const std::string& name, const std::string& expression) {
   const std::string file = "00-fake/" + name + ".glsl";
   shaders.write(
-      file, "vec4 " + name + "(vec2 texcoord) { vec4 c = texture(u_colour, texcoord); return " + expression + "; }\n");
+      file, "vec4 " + name + "(vec2 texcoord) { vec4 c = texture(u_picture, texcoord); return " + expression + "; }\n");
   return {.name = name, .code = {file, name}};
 }
 
@@ -106,6 +106,30 @@ TEST_CASE("outputs that a pass reads are drawn for it alone", "[chain]") {
   stage.gl().restart_counts();
   stage.draw_again({.camera = triangle_scene().camera});
   CHECK(stage.gl().counts().passes == 4);  // the normals once
+}
+
+TEST_CASE("a pass can read what the scene was before the first one, and no other pass", "[chain]") {
+  ChainStage stage;
+  ChainPass sum = shader_pass(stage.shaders, "sum", "vec4(c.rgb + texture(u_colour, texcoord).rgb, 1.0)");
+  sum.reads = {"colour"};
+  stage.piece->chain = {shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)"), sum};
+  CHECK(stage.middle() == Rgba{0.75f, 0.75f, 0.75f, 1});
+  stage.gl().restart_counts();
+  stage.draw_again({.camera = triangle_scene().camera});
+  CHECK(stage.gl().counts().passes == 3);  // the scene is drawn once
+  stage.piece->chain[1].reads = {"halved"};
+  CHECK(mentions(error_of([&] { stage.middle(); }), {"halved", "this scene offers"}));
+}
+
+TEST_CASE("a chain ends in a target of several samples, and begins in one", "[chain]") {
+  ChainStage stage;
+  stage.spec.samples = 4;
+  const Image plain = stage.draw(triangle_scene());
+  stage.piece->chain = {shader_pass(stage.shaders, "same", "c")};
+  CHECK(stage.draw(triangle_scene()) == plain);
+  int mixed = 0;
+  for (const Rgba& pixel : plain.pixels()) mixed += pixel != grey && pixel != dark_blue;
+  CHECK(mixed > 5);  // along the edges
 }
 
 TEST_CASE("a pass of the CPU works on floats or on bytes", "[chain]") {

@@ -209,6 +209,49 @@ TEST_CASE("a mirrored view turns front faces round", "[nested]") {
   CHECK(is(middle(true), red));
 }
 
+TEST_CASE("a window shows the same where depth is reversed", "[nested]") {
+  WindowStage stage;
+  if (!stage.gl().ClipControl.call) return;
+  Scene scene = window_scene();
+  scene.nodes.push_back({.name = "behind", .translation = {0.5, 0, -0.5}, .mesh = 0, .material = 2});
+  const Image plain = stage.draw(scene);
+  stage.spec.depth = DepthFormat::depth32f_stencil8;
+  CHECK(stage.draw(scene, {.camera = scene.camera, .reversed_depth = true}) == plain);
+}
+
+TEST_CASE("maps of a mirrored view are drawn with fronts as they are", "[nested]") {
+  // A feature draws a pass that culls back faces before a view of its own that is mirrored.
+  struct Mirrored : Piece {
+    std::optional<Target> map, target;
+    void draw_views(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override {
+      if (!target) target.emplace(gl, TargetSpec{.width = 8, .height = 8});
+      View view{.camera = scene.camera};
+      view.world_to_view = glm::scale(viewpoint.world_to_view, glm::vec3(-1, 1, 1));
+      view.mirrored = true;
+      painter.draw_view(view, *target);
+      painter.draw_view(view, *target);
+    }
+    void draw_before(Gl& gl, const Scene&, const Viewpoint& viewpoint, ScenePainter& painter) override {
+      if (!viewpoint.view.mirrored) return;
+      if (!map) map.emplace(gl, TargetSpec{.width = 8, .height = 8});
+      map->bind(gl);
+      gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+      gl.Enable(GL_CULL_FACE);
+      const PassSources pass{.name = "front",
+                             .vertex = "void main() { gl_Position = vec4(a_position.xy, 0.0, 1.0); }\n",
+                             .fragment = "out vec4 o; void main() { o = vec4(1.0); }\n"};
+      const int first = 0;
+      painter.paint(pass, std::span(&first, 1), [](Binder&) {});
+    }
+  };
+  Stage stage;
+  auto mirrored = std::make_unique<Mirrored>();
+  const Mirrored& seen = *mirrored;
+  stage.open({}, std::move(mirrored));
+  stage.draw(window_scene());
+  CHECK(seen.map->read_colour(stage.gl()).at(4, 4).r == 1);
+}
+
 TEST_CASE("a scissor bounds a view inside another", "[nested]") {
   struct Cut : Window {
     void draw_inside(Gl& gl, const Scene& scene, const Viewpoint& around, const Target& target,
@@ -238,6 +281,9 @@ TEST_CASE("a view inside another needs a stencil buffer, and 8 bits count to 255
   stage.spec.depth = DepthFormat::depth24;
   CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"stencil", "depth24"}));
   stage.spec.depth = DepthFormat::depth24_stencil8;
+  stage.window->functions.begin_mark = nullptr;
+  CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"step 07"}));
+  stage.window->functions = nesting();
   stage.window->deepest = 300;
   CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"255", "8 bits"}));
 }

@@ -182,7 +182,7 @@ TEST_CASE("tangents are an attribute of their own, where a feature has some", "[
       return std::vector<glm::vec4>(count, glm::vec4(0, 0.5f, 0, -1));
     }
   };
-  const auto draw = [](std::size_t count) {
+  const auto draw = [](std::size_t count, float scale = 1) {
     Stage stage;
     auto tangents = std::make_unique<Tangents>();
     tangents->count = count;
@@ -192,11 +192,12 @@ TEST_CASE("tangents are an attribute of their own, where a feature has some", "[
     tangents->wants = [](const Material&) { return Need{.wanted = true, .structure = {{"TANGENTS", "1"}}}; };
     stage.open({}, std::move(tangents));
     Scene scene = triangle_scene();
-    scene.nodes[0].scale = {1, 0.5f, 1};  // a tangent goes with the surface
-    return stage.draw(scene).at(10, 17);
+    scene.nodes[0].scale = {scale, 0.5f, 1};  // a tangent goes with the surface
+    return stage.draw(scene).at(scale < 0 ? 21 : 10, 17);
   };
   CHECK(draw(3) == Rgba{0, 0.25f, 1, 1});
-  CHECK(draw(0) == Rgba{0, 0, -1, 1});  // OpenGL's own value where there is no array: (0, 0, 0, 1)
+  CHECK(draw(3, -1) == Rgba{0, 0.25f, -1, 1});  // a mirror exchanges the sides of the bitangent
+  CHECK(draw(0) == Rgba{0, 0, -1, 1});          // OpenGL's own value where there is no array: (0, 0, 0, 1)
   CHECK(mentions(error_of([&] { draw(2); }), {"triangle", "2 tangents", "3 vertices"}));
 }
 

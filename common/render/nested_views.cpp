@@ -1,0 +1,68 @@
+// Views inside views: what Renderer does for ScenePainter::draw_view_inside.
+#include <fmt/core.h>
+
+#include "gl/debug.hpp"
+#include "gl/state.hpp"
+#include "render/bind_viewpoint.hpp"
+#include "render/renderer.hpp"
+
+namespace atelier {
+
+/// Draws the surface of an opening in one colour, as it stands in the view around.
+void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
+  PassSources pass{.name = "opening",
+                   .vertex =
+                       "#ifdef CLIP_PLANE\nuniform vec4 u_clip_plane;\n#endif\n"
+                       "void main() {\n"
+                       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n"
+                       "#ifdef CLIP_PLANE\n"
+                       "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
+                       "#endif\n"
+                       "}\n",
+                   .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
+  if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
+  paint(pass, std::span(&opening, 1), [&](Binder& binder) {
+    bind_viewpoint(binder, around);
+    binder.set("u_colour", colour);
+  });
+}
+
+void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
+                                const NestingFunctions& functions) {
+  constexpr int most_levels = 255;
+  const int level = around.view.stencil_level;
+  if (!has_stencil(target.spec()))
+    throw Error(fmt::format("a view inside another needs a stencil buffer, and the target has none ({})",
+                            to_string(target.spec())));
+  if (level >= most_levels)
+    throw Error(fmt::format("views are nested {} deep: a stencil buffer of 8 bits counts no further", level));
+  if (!functions.begin_mark || !functions.begin_restore)
+    throw Error("a view inside another needs the functions of step 07: this program hands none to the renderer");
+  view.parent = &around.view;
+  view.stencil_level = level + 1;
+
+  const DebugGroup group(gl_, fmt::format("view inside, level {}", view.stencil_level));
+  set_bounds(around, target);
+  functions.begin_mark(gl_, level);
+  paint_opening(around, opening, glm::vec3(0));
+
+  // The farthest depth and the background in what is marked.
+  set_bounds(around, target);
+  gl_.Enable(GL_STENCIL_TEST);
+  gl_.StencilFunc(GL_EQUAL, level + 1, 0xff);
+  gl_.DepthFunc(GL_ALWAYS);
+  const double farthest = view.reversed_depth ? 0.0 : 1.0;
+  gl_.DepthRange(farthest, farthest);
+  paint_opening(around, opening, background(view));
+
+  draw_scene(view, target);
+
+  // A view in a moved world has placed the nodes anew.
+  counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
+  set_bounds(around, target);
+  functions.begin_restore(gl_, level);
+  paint_opening(around, opening, glm::vec3(0));
+  set_bounds(around, target);
+}
+
+}  // namespace atelier
