@@ -35,7 +35,8 @@ class Painter {
   /// by the clock. 0: once, untimed.
   void time_frames(int frames) { timed_frames_ = frames; }
 
-  /// What the last picture has cost, loading its scene not included.
+  /// What the last picture has cost, without loading its scene and without the means that supersampling takes on the
+  /// CPU.
   const DrawingCost& cost() const { return cost_; }
 
   /// Calls a probe on each of the case's inputs.

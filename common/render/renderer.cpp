@@ -96,7 +96,7 @@ std::string Renderer::reload_changed_shaders() {
   return reloaded.words;
 }
 
-SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
+SurfaceKey Renderer::key_for(const View& view, const Node& node, const ViewKind& kind) const {
   SurfaceKey key;
   key.output = view.output;
   for (const auto& feature : features_) {
@@ -106,17 +106,20 @@ SurfaceKey Renderer::key_for(const View& view, const Node& node) const {
     key.structure.insert(need.structure.begin(), need.structure.end());
   }
   if (scene_->materials[std::size_t(node.material)].two_sided) key.structure["TWO_SIDED"] = std::string("1");
-  if (view.clip_plane) key.structure["CLIP_PLANE"] = std::string("1");
+  if (kind.clipped) key.structure["CLIP_PLANE"] = std::string("1");
+  if (kind.marks_non_finite) key.structure[marks_non_finite] = std::string("1");
   return key;
 }
 
 /// What each item is drawn with: found once, and again where the answers of features may have changed.
-const std::vector<Renderer::Variant>& Renderer::variants(const View& view) {
+const std::vector<Renderer::Variant>& Renderer::variants(const View& view, const Target& target) {
   std::uint64_t version = 0;
   for (const auto& feature : features_) version += feature->structure_version();
   if (version != variants_version_) variants_.clear();
   variants_version_ = version;
-  const ViewKind kind{view.output, view.clip_plane.has_value()};
+  const ColourFormat format = target.spec().colour;
+  const ViewKind kind{view.output, view.clip_plane.has_value(),
+                      format == ColourFormat::rgba8 || format == ColourFormat::srgb8};
   if (const auto found = variants_.find(kind); found != variants_.end()) return found->second;
   std::vector<Variant> found;
   for (const Item& item : nodes_->items()) {
@@ -127,7 +130,7 @@ const std::vector<Renderer::Variant>& Renderer::variants(const View& view) {
       found.push_back({});
       continue;
     }
-    const Programs::Surface surface = programs_.surface(key_for(view, node));
+    const Programs::Surface surface = programs_.surface(key_for(view, node, kind));
     found.push_back({&surface.key, &surface.program});
   }
   return variants_[kind] = std::move(found);
@@ -243,8 +246,8 @@ void Renderer::draw(const Item& item, const Variant& variant, Drawing& drawing) 
   nodes_->draw(item, mirrored_);
 }
 
-void Renderer::draw_nodes(const Viewpoint& viewpoint) {
-  const std::vector<Variant>& chosen = variants(viewpoint.view);
+void Renderer::draw_nodes(const Viewpoint& viewpoint, const Target& target) {
+  const std::vector<Variant>& chosen = variants(viewpoint.view, target);
   Drawing drawing{viewpoint};
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const Item& item = nodes_->items()[i];
@@ -275,7 +278,7 @@ void Renderer::draw_scene(const View& view, const Target& target) {
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
   begin(viewpoint, target);
   if (drawn_instead(view, target)) return;
-  draw_nodes(viewpoint);
+  draw_nodes(viewpoint, target);
   for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
 }
 

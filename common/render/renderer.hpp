@@ -38,8 +38,9 @@ class Renderer : private ScenePainter {
   /// Whether targets for the prepared scene need a stencil buffer.
   bool needs_stencil() const;
 
-  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. Throws
-  /// ShaderError with the author's file and line, Error where the view asks what the driver or the target lacks.
+  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. In a target of
+  /// 8 bits a colour that is no number or infinite becomes magenta, as a window shows it: the format would hide it.
+  /// Throws ShaderError with the author's file and line, Error where the view asks what the driver or the target lacks.
   void render(const View& view, const Target& target);
 
   const SceneCounts& counts() const { return counts_; }  ///< of the last frame
@@ -58,12 +59,13 @@ class Renderer : private ScenePainter {
   struct ViewKind {
     std::string output;
     bool clipped = false;
+    bool marks_non_finite = false;  ///< the target's format would hide NaN and infinity
     auto operator<=>(const ViewKind&) const = default;
   };
   struct Drawing;
 
-  SurfaceKey key_for(const View& view, const Node& node) const;
-  const std::vector<Variant>& variants(const View& view);
+  SurfaceKey key_for(const View& view, const Node& node, const ViewKind& kind) const;
+  const std::vector<Variant>& variants(const View& view, const Target& target);
   Viewpoint look(const View& view, const TargetSpec& target) const;
   bool hidden(const Item& item, const Viewpoint& viewpoint) const;
   void take_lights();
@@ -75,7 +77,7 @@ class Renderer : private ScenePainter {
   void draw_scene(const View& view, const Target& target);
   void begin(const Viewpoint& viewpoint, const Target& target);
   void set_bounds(const Viewpoint& viewpoint, const Target& target);
-  void draw_nodes(const Viewpoint& viewpoint);
+  void draw_nodes(const Viewpoint& viewpoint, const Target& target);
   void use(const Variant& variant, Drawing& drawing);
   void draw(const Item& item, const Variant& variant, Drawing& drawing);
   bool drawn_instead(const View& view, const Target& target);

@@ -257,7 +257,10 @@ std::string fragment_stage(const SurfaceKey& key) {
     text += lit ? "  vec3 shaded = v_shaded;\n" : lighting_statements(key);
     text += calls(Slot::modify_shaded, key, "  shaded = {}(surface, shaded);\n");
   }
-  return text + fmt::format("  o_colour = vec4({}, 1.0);\n}}\n", output);
+  text += fmt::format("  o_colour = vec4({}, 1.0);\n", output);
+  if (key.structure.contains(marks_non_finite))
+    text += "  if (any(isnan(o_colour)) || any(isinf(o_colour))) o_colour = vec4(1.0, 0.0, 1.0, 1.0);\n";
+  return text + "}\n";
 }
 
 }  // namespace

@@ -18,6 +18,9 @@ struct SurfaceKey {
   bool operator<(const SurfaceKey& other) const;
 };
 
+/// The define of a SurfaceKey under which the shader writes magenta for a colour that is no number or infinite.
+inline constexpr const char* marks_non_finite = "MARKS_NON_FINITE";
+
 struct SurfaceSources {
   ShaderSource vertex, fragment;
 };

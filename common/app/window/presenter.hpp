@@ -20,7 +20,8 @@ class Presenter {
 
   /// Fills `area` of the framebuffer that is bound, pixel for pixel where it has the target's size. Linear colours are
   /// encoded to sRGB (IEC 61966-2-1), the others shown as they are; all are clamped to 0..1. What is no number or
-  /// infinite shows as magenta: nothing else would tell.
+  /// infinite shows as magenta: nothing else would tell. (A target of 8 bits holds no such thing; the renderer writes
+  /// magenta into it.)
   void draw(const Target& picture, Encoding encoding, const PixelArea& area);
 
  private:

@@ -238,3 +238,17 @@ TEST_CASE("programs are chosen anew only where answers have changed", "[slots]")
   stage.draw_again(view);
   CHECK(piece.times == 5);
 }
+
+TEST_CASE("a target of 8 bits shows what is no number as magenta, one of floats keeps it", "[slots]") {
+  Stage stage;
+  stage.open({},
+             piece_for(stage.shaders, Slot::shade, "shade",
+                       "uniform float u_zero;\nvec3 shade(Surface s) { return vec3(0.25, u_zero / u_zero, 1.0); }\n"));
+  const Scene scene = triangle_scene();
+  for (const ColourFormat format : {ColourFormat::rgba8, ColourFormat::srgb8}) {
+    stage.spec.colour = format;
+    CHECK(middle(stage.draw(scene)) == Rgba{1, 0, 1, 1});
+  }
+  stage.spec.colour = ColourFormat::rgba32f;
+  CHECK(std::isnan(middle(stage.draw(scene)).g));
+}
