@@ -27,6 +27,10 @@ enum class Shadows {
 /// may send rays of its own, or ask for `visibility` (oracle/shadow.hpp).
 using SurfaceColour = std::function<glm::dvec3(const World& world, const SurfacePoint& point, const glm::dvec3& eye)>;
 
+/// What of a light goes on to a position in world space, 0..1, past something thin that no node or shape stands for: a
+/// screen, a pane. Called from several threads.
+using LightShare = std::function<double(const Light& light, const glm::dvec3& position)>;
+
 /// Choices that change what is asked for; light_samples alone trades accuracy for speed.
 struct Shading {
   Normalisation normalisation = Normalisation::none;
@@ -34,6 +38,7 @@ struct Shading {
   double light_width =
       0;  ///< soft: the side of the square, 0..1e6 metres, or of a directional light tangents of angles
   int light_samples = 16;  ///< soft: n x n points of the square on a regular grid, 1..256
+  LightShare share;        ///< set: multiplies how much of a light is seen, at points that receive shadows
   SurfaceColour surface;   ///< set: stands in for all of the above
 };
 

@@ -166,14 +166,31 @@ void validate(const Shading& shading) {
                             shading.light_samples, most_samples, most_samples));
 }
 
-double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading) {
-  validate(shading);
-  if (shading.shadows == Shadows::none || !light.casts_shadow || !point.receives_shadow) return 1;
+namespace {
+
+double seen_share(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading) {
+  if (shading.shadows == Shadows::none || !light.casts_shadow) return 1;
   const ShadowRays rays(world, point, light, shading);
   if (rays.at_light()) return 1;
   const int n = rays.samples();
   if (n == 1) return world.blocked(rays.to({0, 0})) ? 0 : 1;
   return SeenCells(world, rays).count() / (double(n) * n);
+}
+
+double let_through(const Light& light, const glm::dvec3& position, const LightShare& share) {
+  const double found = share(light, position);
+  if (!(found >= 0 && found <= 1))
+    throw Error(fmt::format("a share {} of light '{}' (allowed: 0 to 1)", found, light.name));
+  return found;
+}
+
+}  // namespace
+
+double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading) {
+  validate(shading);
+  if (!point.receives_shadow) return 1;
+  const double seen = seen_share(world, point, light, shading);
+  return shading.share ? seen * let_through(light, point.position, shading.share) : seen;
 }
 
 }  // namespace atelier::oracle

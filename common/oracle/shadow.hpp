@@ -18,15 +18,17 @@
 
 namespace atelier::oracle {
 
-/// The share of the light that the point sees, 0..1: 1 lit, 0 in shadow, a multiple of 1/n^2. 1 where
-/// - there are no shadows in `shading`, or the light or the point takes no part in them;
+/// The share of the light that reaches the point, 0..1: what it sees of the light, times what `shading.share` lets
+/// through. It sees a multiple of 1/n^2 (1 lit, 0 in shadow), and 1 where
+/// - there are no shadows in `shading`, or the light takes no part in them;
 /// - the light's position is the point's.
+/// A point that receives no shadow is reached by all of it.
 /// Whatever casts shadows hides what is behind it, the point's own surface included: of a light that stands halfway
 /// below a floor the floor sees one half. A light whose centre is on the far side of the point's own surface is asked
 /// for on that side: whether it reaches this one is for the cosine to say. A surface that touches the light itself does
 /// not hide it, and a surface does not hide a light whose centre lies in its plane: rays start 1e-12 of the world's
-/// reach and of their own length off the surface, and end as much before the light. Throws Error as validate() does.
-/// `shading.surface` is not looked at.
+/// reach and of their own length off the surface, and end as much before the light. Throws Error as validate() does,
+/// and where `shading.share` answers with no share. `shading.surface` is not looked at.
 double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading);
 
 }  // namespace atelier::oracle

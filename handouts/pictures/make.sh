@@ -92,10 +92,13 @@ size=320x240
 draw plain $step --scene materials && draw normalised $step --scene materials --set specular.normalisation=n+8
 pair 02-materials plain normalised
 draw pixel $step --scene facets && draw vertex $step --scene facets --set shading=vertex && pair 02-facets pixel vertex
+draw blind-lamp $step --scene blinds --set light.blind=on light.count=1
+draw blinds $step --scene blinds --set light.blind=on && pair 02-blinds blind-lamp blinds
 mistakes $step 02-mistakes sphere--{eye-at-origin,missing-n-dot-l,no-attenuation,rv-for-nh} \
   facets--normal-not-normalised backlight--specular-from-behind spots--{cone-inverted,cone-axis-sign,cone-hard} \
   lights--lights-overwrite tiles--{no-mipmaps,texture-upside-down} encoded--{gamma-missing,gamma-twice} \
-  copper--specular-grey sphere--to-light-reversed
+  copper--specular-grey sphere--to-light-reversed \
+  blinds--{visibility-ignored,ambient-shadowed,first-lights-shadow,shadows-multiplied}
 
 step=03-shadow-mapping
 draw 03-teapot $step --scene teapot --set shadow.fit=casters && single 03-teapot
@@ -139,10 +142,10 @@ for fit in scene casters visible; do
   size=180x180 draw map-$fit $step "${across[@]}" --set shadow.fit=$fit --output shadow_map
 done
 sheet 03-fits 3 map-scene="map of scene" map-casters="of casters" map-visible="of visible" scene casters visible
-mistakes $step 03-mistakes teapot--{ambient-shadowed,bias-matrix-missing,border-black,border-repeats} \
+mistakes $step 03-mistakes teapot--{bias-matrix-missing,border-black,border-repeats,camera-depth} \
   teapot--{cleared-to-zero,comparison-reversed,depth-model-missing,far-not-clamped} \
-  teapot--{no-w-divide,normal-offset-inwards,unbiased-lookup} edges--culling-left-on \
-  three-spots--{first-lights-shadow,layer-zero-drawn,lights-overwrite,shadows-multiplied}
+  teapot--{no-w-divide,normal-offset-inwards,unbiased-lookup} edges--depth-not-halved \
+  three-spots--{layer-zero-drawn,layer-zero-read} colonnade--{sun-perspective,sun-eye-at-centre}
 
 # The light goes round.
 (cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --scene three-spots \

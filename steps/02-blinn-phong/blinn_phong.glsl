@@ -51,7 +51,7 @@ vec3 reflected(vec3 normal, vec3 to_eye, vec3 to_light, Material m) {
 
 vec3 shade(vec3 position, vec3 normal, vec3 eye, Material m) {
   vec3 sum = m.diffuse * u_ambient;
-  // TODO(02-blinn-phong): make normal and to_eye unit vectors, then add every light of every type
+  // TODO(02-blinn-phong): make normal and to_eye unit vectors, then add what is visible of every light of every type
   return sum;
 }
 

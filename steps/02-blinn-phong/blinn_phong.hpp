@@ -3,12 +3,13 @@
 //
 // The model (Blinn 1977, energy after Sloan and Hoffman in Real-Time Rendering):
 //
-//   L = kd * ambient + emission + sum over lights of  E * (kd + ks * N(n) * max(N.H, 0)^n) * max(N.L, 0)
+//   L = kd * ambient + emission + sum over lights of  s * E * (kd + ks * N(n) * max(N.H, 0)^n) * max(N.L, 0)
 //
 // kd, ks: diffuse and specular colour of the material, n its exponent; N, L, V unit vectors along the normal, to the
-// light and to the eye; H = normalize(L + V). E is the light that arrives, divided by pi (so that a white surface, lit
-// from straight above by a light of colour 1, looks 1). N(n) is 1, or the factor that keeps the highlight's energy.
-// Everything is linear light; encoding to sRGB happens once, at the end.
+// light and to the eye; H = normalize(L + V). E is the light that would arrive if nothing stood in its way, divided by
+// pi (so that a white surface, lit from straight above by a light of colour 1, looks 1); s is its visibility, the share
+// 0..1 that does arrive. N(n) is 1, or the factor that keeps the highlight's energy. Everything is linear light;
+// encoding to sRGB happens once, at the end.
 //
 // In blinn_phong.glsl:
 //
@@ -36,8 +37,11 @@
 //       E of one light at a position in world space, and the unit vector to the light. A light exactly at the position
 //       gives no light and any unit vector.
 //   vec3 shade(vec3 position, vec3 normal, vec3 eye, Material m)
-//       The whole sum over all lights. `normal` comes interpolated: make it a
-//       unit vector first; a zero normal or an eye at the position leaves only the ambient part.
+//       The whole sum over all lights. Of each light arrives what its visibility lets through, which lights.glsl tells
+//       by the light's number in its array: visible_from_point(i), visible_from_spot(i), visible_from_directional(i),
+//       0 to 1. It is worked out before `shade` is called, so it may be asked for anywhere. Ambient light comes from
+//       everywhere: it is never weakened. `normal` comes interpolated: make it a unit vector first; a zero normal or an
+//       eye at the position leaves only the ambient part.
 //   vec3 srgb_encode(vec3 linear), vec3 srgb_decode(vec3 encoded)
 //       As the C++ functions below, for each component; negative values become 0.
 #pragma once

@@ -1,5 +1,6 @@
 // 02-blinn-phong: the program. Scenes drawn with step 01's transforms and your light.
 #include "01-transforms/functions.hpp"
+#include "02-blinn-phong/blind.hpp"
 #include "02-blinn-phong/lit_surface.hpp"
 #include "02-blinn-phong/probes.hpp"
 #include "02-blinn-phong/scenes.hpp"
@@ -13,6 +14,7 @@ namespace {
 StepDescription describe() {
   std::vector<SettingSpec> settings = lit_surface_settings();
   settings.insert(settings.begin(), shading_setting());
+  settings.push_back(blind_setting());
   for (const SettingSpec& spec : blinn_phong_scene_settings()) settings.push_back(spec);
   return {.name = "02-blinn-phong",
           .title = "Light and materials after Blinn and Phong",
@@ -27,7 +29,10 @@ StepDescription describe() {
 
 std::vector<std::unique_ptr<Feature>> features() {
   std::vector<std::unique_ptr<Feature>> list;
-  list.push_back(std::make_unique<LitSurface>());
+  auto lit = std::make_unique<LitSurface>();
+  auto blind = std::make_unique<Blind>(lit->lights());
+  list.push_back(std::move(lit));
+  list.push_back(std::move(blind));
   return list;
 }
 

@@ -165,6 +165,36 @@ Scene quay() {
   return scene;
 }
 
+/// Two lights of each type over a floor, made for "light.blind": nothing reaches up into a blind. Of two balls that are
+/// otherwise alike one receives no shadow, and so no stripes.
+Scene blinds() {
+  Scene scene{.name = "blinds"};
+  scene.ambient = glm::vec3(0.06f);
+  const int floor = add_material(scene, {.name = "floor", .diffuse = glm::vec3(0.75f)});
+  const int ivory = add_material(scene, plastic("ivory", {0.7f, 0.66f, 0.58f}, 60));
+  add_object(scene, make_plane({.width = 12, .depth = 9}), floor, {.name = "floor"});
+  add_object(scene, make_sphere({.radius = 0.55f}), ivory, {.name = "striped", .translation = {-0.9, 0.55, 0.7}});
+  add_object(scene, make_sphere({.radius = 0.55f}), ivory,
+             {.name = "plain", .translation = {0.9, 0.55, 0.7}, .receives_shadow = false});
+  const auto spot = [&](const char* name, double x, const glm::vec3& colour) {
+    add_light(scene, {.type = LightType::spot,
+                      .name = name,
+                      .position = {x, 3, 0.6},
+                      .direction = {float(-0.25 * x), -1, -0.1f},
+                      .colour = colour,
+                      .inner_angle = degrees(30),
+                      .outer_angle = degrees(38)});
+  };
+  spot("warm spot", -1.9, {4, 1.8f, 0.5f});
+  spot("cool spot", 1.9, {0.5f, 1.8f, 4});
+  add_light(scene, {.name = "green lamp", .position = {-2.3, 2, -1.5}, .colour = {0.3f, 2.2f, 0.5f}});
+  add_light(scene, {.name = "pink lamp", .position = {2.5, 2, -1.5}, .colour = {2.2f, 0.3f, 1.1f}});
+  add_light(scene, {.type = LightType::directional, .direction = {0.5f, -1, -0.3f}, .colour = {0.16f, 0.12f, 0.05f}});
+  add_light(scene, {.type = LightType::directional, .direction = {-0.73f, -1, 0.2f}, .colour = {0.05f, 0.1f, 0.2f}});
+  scene.camera = {.eye = {0, 4.6, 5.6}, .target = {0, 0.1, 0}, .fov_y = degrees(42), .near = 0.5f, .far = 30};
+  return scene;
+}
+
 /// The exponent that material.exponent asks for; without one, that of a new material.
 float asked_exponent(const Settings& settings) {
   const double asked = settings.real("material.exponent");
@@ -174,8 +204,8 @@ float asked_exponent(const Settings& settings) {
 }  // namespace
 
 std::vector<std::string> blinn_phong_scene_names() {
-  return {"teapot",   "sphere", "materials", "lights", "facets", "backlight", "spots",     "tiles",
-          "festival", "edges",  "quay",      "room",   "hall",   "furnace",   "highlight", "plate"};
+  return {"teapot", "sphere", "materials", "lights", "facets", "backlight", "spots",     "tiles", "festival",
+          "edges",  "quay",   "blinds",    "room",   "hall",   "furnace",   "highlight", "plate"};
 }
 
 std::vector<SettingSpec> blinn_phong_scene_settings() {
@@ -211,6 +241,7 @@ Scene unadjusted_blinn_phong_scene(const std::string& name, const Settings& sett
   if (name == "festival") return festival();
   if (name == "edges") return edges();
   if (name == "quay") return quay();
+  if (name == "blinds") return blinds();
   if (name == "furnace") return furnace();
   if (name == "highlight") return highlight(asked_exponent(settings));
   if (name == "plate") return plate(settings);

@@ -1,7 +1,9 @@
 #include "02-blinn-phong/truth.hpp"
 
 #include <algorithm>
+#include <cmath>
 
+#include "02-blinn-phong/blind.hpp"
 #include "02-blinn-phong/scenes.hpp"
 #include "image/colour.hpp"
 
@@ -51,6 +53,24 @@ oracle::Normalisation normalisation_named(const std::string& name) {
                            : oracle::Normalisation::none;
 }
 
+/// What the blind lets through at this x.
+double through_slats(double x) {
+  const BlindShape& blind = blind_shape;
+  const double off_middle = std::abs(std::remainder(x - blind.period / 2, blind.period));
+  const double t = std::clamp((off_middle - blind.period / 4) / blind.ramp + 0.5, 0.0, 1.0);
+  return (1 + t * t * (3 - 2 * t)) / 2;
+}
+
+/// Follows the ray from the position to the light until it meets the blind's plane.
+double through_blind(const Light& light, const glm::dvec3& position) {
+  const bool endless = light.type == LightType::directional;
+  const glm::dvec3 way = endless ? -glm::dvec3(light.direction) : light.position - position;
+  const double plane = endless ? blind_shape.height : light.position.y - blind_shape.below;
+  if (way.y == 0) return 1;
+  const double t = (plane - position.y) / way.y;
+  return t > 0 && (endless || t < 1) ? through_slats(position.x + t * way.x) : 1;
+}
+
 }  // namespace
 
 SceneTruth blinn_phong_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
@@ -65,6 +85,8 @@ SceneTruth blinn_phong_truth(const TruthRequest& request, const Settings& settin
   if (truth.scene.lights.size() > lights) truth.scene.lights.resize(lights);
   prepare_textures(truth.scene, settings.choice("texture.filter"));
   truth.shading.normalisation = normalisation_named(settings.choice("specular.normalisation"));
+  // Later steps have no blinds.
+  if (settings.has("light.blind") && settings.flag("light.blind")) truth.shading.share = through_blind;
   if (request.output == "encoded") {
     truth.output = "colour";
     truth.scene.background = glm::vec3(0);  // as behind every output but the colour

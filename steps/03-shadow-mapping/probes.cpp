@@ -19,7 +19,7 @@ std::string glsl(const std::string& defines = "") {
   return "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n" +
          std::string(defines.find("define PCF") == std::string::npos ? "#define PCF 1\n" : "") +
          std::string(defines.find("define BIAS") == std::string::npos ? "#define BIAS 0\n" : "") + defines +
-         "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"03-shadow-mapping/shadow_mapping.glsl\"\n";
+         "#include \"03-shadow-mapping/shadow_mapping.glsl\"\n";
 }
 
 /// A light of GLSL, from the arguments eye, direction, half_width, near, far, width, sun and layer.

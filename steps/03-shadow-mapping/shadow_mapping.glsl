@@ -78,9 +78,3 @@ float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light
   // TODO(03-shadow-mapping): bias by BIAS, coordinate, slope, then pcf or pcss
   return 1.0;
 }
-
-vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m) {
-  vec3 sum = m.diffuse * u_ambient;
-  // TODO(03-shadow-mapping): as step 02's shade, each light weakened by its visibility; ask for that before any branch
-  return sum;
-}

@@ -70,20 +70,14 @@
 //       of SAMPLES calls of `lit` over a square as wide as the penumbra (at least 0), as a share of the map's width at
 //       the receiver: at coordinate + (offset, dot(slope, offset)), offset = sample_point(i) * width.
 //   float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light)
-//       The share of the light that reaches a point: 1 lit, 0 in shadow. `normal` is of unit length, or zero. Bias by
-//       the define BIAS with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none,
-//       1 constant, 2 slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS
-//       is not 0 its z is lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined.
-//       With BIAS == 4 and with PCSS the slope is plane_slope(dFdx(coordinate), dFdy(coordinate)), and z is lowered by
-//       u_bias * RESIDUAL * (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that
-//       stands for the point. Otherwise the slope is zero.
-//   vec3 shade_with_shadows(vec3 position, vec3 normal, vec3 eye, Material m)
-//       Step 02's shade with shadows: ambient light arrives everywhere; of each light arrives what visible_from_point,
-//       visible_from_spot or visible_from_sun lets through. They are declared before your file, each as
-//         float visible_from_point(int light, vec3 position, vec3 normal, vec3 to_light)
-//       with the light's place in u_point_lights (u_spot_lights, u_directional_lights) and a normal of unit length or
-//       zero. They take derivatives: call them for every light, before any branch in which neighbouring pixels may
-//       part.
+//       The share of the light that reaches a point: 1 lit, 0 in shadow. Step 02's `shade` asks for it by
+//       visible_from_spot and visible_from_directional. `normal` is of unit length, or zero. Bias by the define BIAS
+//       with amount = u_bias * KERNEL * the width of a texel at the depth of the unmoved point: 0 none, 1 constant, 2
+//       slope, 3 normal offset, 4 receiver plane. The coordinate is that of the moved point; where BIAS is not 0 its z
+//       is lowered by u_depth_step, what rounding may part. Then pcf, or pcss where PCSS is defined. With BIAS == 4 and
+//       with PCSS the slope is plane_slope(dFdx(coordinate), dFdy(coordinate)), and z is lowered by u_bias * RESIDUAL *
+//       (|slope.x| + |slope.y|) / resolution as well: what the plane falls within the texel that stands for the point.
+//       Otherwise the slope is zero.
 #pragma once
 
 #include "02-blinn-phong/blinn_phong.hpp"

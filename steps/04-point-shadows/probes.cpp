@@ -22,7 +22,7 @@ std::string glsl(int bias, int pcf, bool compare, const std::string& before = ""
              "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n"
              "#define CUBES 1\n#define BIAS {}\n#define PCF {}\n{}",
              bias, pcf, compare ? "#define COMPARE 1\n" : "") +
-         before + "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"04-point-shadows/point_shadows.glsl\"\n";
+         before + "#include \"04-point-shadows/point_shadows.glsl\"\n";
 }
 
 const std::string light_of_arguments = "CubeLight(light_position, far, 0)";

@@ -33,6 +33,13 @@ TEST_CASE("a scene without something has no cost of it", "[required]") {
       {"no light", picture("facets", {{"light.count", 0}}), {{"lights", 0}, {"passes", 1}}},
       {"one light", picture("facets"), {{"lights", 1}}},
       {"sixty-four lights are one pass", picture("festival"), {{"lights", 64}, {"passes", 1}, {"lights_culled", 0}}},
+      {"nothing stands before a light: what receives shadows has no code for it", picture("blinds"), {{"variants", 2}}},
+      {"blinds: a variant more, for what receives shadows",
+       picture("blinds", {{"light.blind", true}}),
+       {{"variants", 3}}},
+      {"blinds and no light before which they could hang",
+       picture("blinds", {{"light.blind", true}, {"light.count", 0}}),
+       {{"variants", 2}}},
       {"one target of floats and 24 bits of depth", picture("facets"), {{"target_bytes", picture_bytes}}},
       {"nothing is made in a frame", picture("tiles"), {{"allocated_bytes", 0}}},
   };

@@ -1,4 +1,5 @@
-// shade: the whole sum, with no light and with 64 of each kind, touching the surface, far from the origin.
+// shade: the whole sum, with no light and with 64 of each kind, touching the surface, far from the origin, and with
+// lights that something stands before.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -27,14 +28,16 @@ struct Lights {
   glm::vec3 ambient{0.125f};
 };
 
+std::string call_of(const char* function) {
+  return fmt::format("vec4({}(position.xyz, normal.xyz, eye.xyz, Material(kd.rgb, ks.rgb, ks.a)), 0.0)", function);
+}
+
 ShaderFunction shade_function(const Place& place, const Lights& lights, bool point, bool spot, bool sun) {
   Variant variant;
   variant.point_lights = point ? lights.count : 0;
   variant.spot_lights = spot ? lights.count : 0;
   variant.directional_lights = sun ? lights.count : 0;
-  ShaderFunction function = blinn_phong_function(
-      {"position", "normal", "eye", "kd", "ks"},
-      "vec4(shade(position.xyz, normal.xyz, eye.xyz, Material(kd.rgb, ks.rgb, ks.a)), 0.0)", variant);
+  ShaderFunction function = blinn_phong_function({"position", "normal", "eye", "kd", "ks"}, call_of("shade"), variant);
   function.uniforms["u_ambient"] = numbers(lights.ambient);
   const Values at = numbers(place.position + lights.above), colour(3, lights.colour);
   for (int i = 0; i < lights.count; ++i) {
@@ -54,17 +57,49 @@ ShaderFunction shade_function(const Place& place, const Lights& lights, bool poi
   return function;
 }
 
+/// What reaches the place of the first light of each type, 0..1; of light i 1/(i + 1) of that.
+struct Visible {
+  double point = 1, spot = 1, directional = 1;
+};
+
+constexpr const char* shade_with_visibilities = R"(
+uniform vec3 u_visible;
+vec3 shade_visible(vec3 position, vec3 normal, vec3 eye, Material m) {
+#if POINT_LIGHTS > 0
+  for (int i = 0; i < POINT_LIGHTS; ++i) point_visibility[i] = u_visible.x / float(i + 1);
+#endif
+#if SPOT_LIGHTS > 0
+  for (int i = 0; i < SPOT_LIGHTS; ++i) spot_visibility[i] = u_visible.y / float(i + 1);
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) directional_visibility[i] = u_visible.z / float(i + 1);
+#endif
+  return shade(position, normal, eye, m);
+}
+)";
+
 class Shade {
  public:
   explicit Shade(ShaderFunctions& shaders) : shaders_(&shaders) {}
   glm::dvec3 operator()(const Place& p, const Lights& lights, bool point = true, bool spot = true,
                         bool sun = true) const {
-    return glm::dvec3(shaders_->evaluate(shade_function(p, lights, point, spot, sun),
-                                         {glm::vec4(p.position, 0), glm::vec4(p.normal, 0), glm::vec4(p.eye, 0),
-                                          glm::vec4(p.diffuse, 0), glm::vec4(p.specular, p.exponent)}));
+    return evaluate(shade_function(p, lights, point, spot, sun), p);
+  }
+  glm::dvec3 operator()(const Place& p, const Lights& lights, const Visible& visible) const {
+    ShaderFunction function = shade_function(p, lights, true, true, true);
+    function.defines.emplace("VISIBILITY", "1");
+    function.source += shade_with_visibilities;
+    function.expression = call_of("shade_visible");
+    function.uniforms["u_visible"] = {visible.point, visible.spot, visible.directional};
+    return evaluate(function, p);
   }
 
  private:
+  glm::dvec3 evaluate(const ShaderFunction& function, const Place& p) const {
+    return glm::dvec3(
+        shaders_->evaluate(function, {glm::vec4(p.position, 0), glm::vec4(p.normal, 0), glm::vec4(p.eye, 0),
+                                      glm::vec4(p.diffuse, 0), glm::vec4(p.specular, p.exponent)}));
+  }
   ShaderFunctions* shaders_;
 };
 
@@ -144,12 +179,56 @@ void add_degenerate_rows(Group& group, const Shade& shade) {
         Values(3, 3.0625));
 }
 
+/// All shares are powers of two: their sums are exact in floats.
+void add_visibility_rows(Group& group, const Shade& shade) {
+  const Values ambient(3, 0.0625);
+  group.equals(
+      "all of every light is visible", [=] { return values(shade({}, {}, Visible{})); }, Values(3, 3.0625));
+  group.equals(
+      "nothing of 16 lights of each kind is visible: ambient light is not lost",
+      [=] {
+        return values(shade({}, {.count = 16}, Visible{0, 0, 0}));
+      },
+      ambient);
+  group.equals(
+      "one half of each is visible",
+      [=] {
+        return values(shade({}, {}, Visible{0.5, 0.5, 0.5}));
+      },
+      Values(3, 1.5625));
+  group.equals(
+      "of each type another share",
+      [=] {
+        return values(shade({}, {}, Visible{1, 0.5, 0.125}));
+      },
+      Values(3, 1.6875));
+  group.equals(
+      "of two lights of each type other shares",
+      [=] {
+        return values(shade({}, {.count = 2}, Visible{1, 0.5, 0.25}));
+      },
+      Values(3, 2.6875));
+  group.equals(
+      "no normal, and one half is visible: ambient alone",
+      [=] {
+        return values(shade({.normal = {0, 0, 0}}, {}, Visible{0.5, 0.5, 0.5}));
+      },
+      ambient);
+  group.equals(
+      "point and spot light on the surface, and one half is visible: half of the directional light",
+      [=] {
+        return values(shade({}, {.above = {0, 0, 0}}, Visible{0.5, 0.5, 0.5}));
+      },
+      Values(3, 0.5625));
+}
+
 }  // namespace
 
 void add_shade_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("shade (GLSL)");
   add_light_count_rows(group, Shade(shaders));
   add_degenerate_rows(group, Shade(shaders));
+  add_visibility_rows(group, Shade(shaders));
 }
 
 }  // namespace atelier::stability

@@ -1,5 +1,4 @@
-// shadow_factor and shade_with_shadows: every bias with no normal, upon the light, at grazing light, on a map of one
-// texel.
+// shadow_factor: every bias with no normal, upon the light, at grazing light, on a map of one texel.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -98,43 +97,11 @@ void add_factor_rows(Group& group, ShaderFunctions& shaders) {
     }
 }
 
-/// step 03's sum, with one spot straight above that reaches the place as `visible` says.
-Values shaded(ShaderFunctions& shaders, int lights, double visible, const glm::vec3& normal) {
-  ShaderFunction function = shadow_function(
-      {"normal"},
-      "vec4(shade_with_shadows(vec3(0.0), normal.xyz, vec3(0.0, 3.0, 0.0), Material(vec3(0.5), vec3(0.0), 8.0)), 0.0)",
-      {.spot_lights = lights},
-      "uniform float u_visible;\n"
-      "float visible_from_spot(int light, vec3 p, vec3 n, vec3 l) { return u_visible; }\n");
-  function.uniforms["u_ambient"] = Values(3, 0.125);
-  if (lights > 0) {
-    function.uniforms["u_visible"] = {visible};
-    function.uniforms["u_spot_lights[0].position"] = {0, 1, 0};
-    function.uniforms["u_spot_lights[0].direction"] = {0, -1, 0};
-    function.uniforms["u_spot_lights[0].colour"] = {1, 1, 1};
-    function.uniforms["u_spot_lights[0].attenuation"] = {0, 0, 1};
-    function.uniforms["u_spot_lights[0].cosines"] = {0.9, 0.8};
-  }
-  return values(glm::vec3(shaders.evaluate(function, {glm::vec4(normal, 0)})));
-}
-
 }  // namespace
 
 void add_factor_rows(Table& table, ShaderFunctions& shaders) {
   Group factor = table.of("shadow_factor (GLSL)");
   add_factor_rows(factor, shaders);
-  Group shade = table.of("shade_with_shadows (GLSL)");
-  const glm::vec3 up(0, 1, 0);
-  const Values ambient(3, 0.0625);
-  shade.equals(
-      "no light: ambient alone", [=, &shaders] { return shaded(shaders, 0, 1, up); }, ambient);
-  shade.equals(
-      "a light that nothing of reaches the place: ambient is not lost",
-      [=, &shaders] { return shaded(shaders, 1, 0, up); }, ambient);
-  shade.equals(
-      "half a light", [=, &shaders] { return shaded(shaders, 1, 0.5, up); }, Values(3, 0.3125));
-  shade.equals(
-      "no normal: ambient alone", [=, &shaders] { return shaded(shaders, 1, 1, {}); }, ambient);
 }
 
 }  // namespace atelier::stability

@@ -37,12 +37,11 @@ struct Variant {
   bool compare = false;
   int samples = 0;  ///< of PCSS; 0: without
   bool random = false;
-  int spot_lights = 0;
 };
 
-/// An expression over the step's shader functions. `helpers` is GLSL in front of the step's own.
-ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression, const Variant& variant = {},
-                               const std::string& helpers = "");
+/// An expression over the step's shader functions.
+ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression,
+                               const Variant& variant = {});
 
 /// GLSL for a light at the origin that looks down, of which only what `in` (half-width, near, far, width) and `sun` (1
 /// or 0) say matters.

@@ -8,15 +8,13 @@
 
 namespace atelier::stability {
 
-ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression, const Variant& variant,
-                               const std::string& helpers) {
-  ShaderFunction function{"#include \"02-blinn-phong/blinn_phong.glsl\"\n" + helpers +
-                              "#include \"03-shadow-mapping/shadow_mapping.glsl\"\n",
-                          std::move(parameters), std::move(expression)};
+ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression, const Variant& variant) {
+  ShaderFunction function{"#include \"03-shadow-mapping/shadow_mapping.glsl\"\n", std::move(parameters),
+                          std::move(expression)};
   function.defines = {{"POWER", "0"},
                       {"NORMALISATION", "0"},
                       {"POINT_LIGHTS", "0"},
-                      {"SPOT_LIGHTS", fmt::to_string(variant.spot_lights)},
+                      {"SPOT_LIGHTS", "0"},
                       {"DIRECTIONAL_LIGHTS", "0"},
                       {"SHADOW_LIGHTS", "0"},
                       {"BIAS", fmt::to_string(variant.bias)},

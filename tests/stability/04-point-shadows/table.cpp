@@ -20,9 +20,8 @@ FilledCube::FilledCube(Gl& gl, int resolution, GLenum format, bool compare, cons
 }
 
 ShaderFunction lookup_function(std::vector<std::string> parameters, std::string expression, const Lookup& lookup) {
-  ShaderFunction function{
-      "#include \"02-blinn-phong/blinn_phong.glsl\"\n#include \"04-point-shadows/point_shadows.glsl\"\n",
-      std::move(parameters), std::move(expression)};
+  ShaderFunction function{"#include \"04-point-shadows/point_shadows.glsl\"\n", std::move(parameters),
+                          std::move(expression)};
   function.defines = {{"POINT_LIGHTS", "0"},
                       {"SPOT_LIGHTS", "0"},
                       {"DIRECTIONAL_LIGHTS", "0"},

@@ -1,4 +1,6 @@
 // How much of a light a point sees, against formulas.
+#include <fmt/format.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
@@ -180,6 +182,60 @@ TEST_CASE("who takes no part in shadows is lit", "[shadow]") {
     CHECK(seen([](Node&, oracle::Shape&, auto&, Light& light) { light.casts_shadow = false; }, shading) == 1);
   }
   CHECK(seen([](auto&...) {}, Shading{}) == 1);
+}
+
+TEST_CASE("a share of each light multiplies what is seen of it", "[shadow]") {
+  // A pane that halves what falls on x > 0, and lets a quarter of one light through.
+  const auto pane = [](const Light& light, const glm::dvec3& position) {
+    return (light.name == "dim" ? 0.25 : 1.0) * (position.x > 0 ? 0.5 : 1.0);
+  };
+  const Scene scene = dark_scene();
+  const World world(scene, {half_plane(1, 0.25)});  // hides the lamps from x > 1/3
+  Light bright = lamp(LightType::spot, 4), dim = bright;
+  dim.name = "dim";
+  const struct {
+    const char* name;
+    double x;
+    const Light& light;
+    Shading shading;
+    double expected;
+  } rows[] = {
+      {"seen, beside the pane", -1, bright, {.shadows = Shadows::hard}, 1},
+      {"seen through it", 0.125, bright, {.shadows = Shadows::hard}, 0.5},
+      {"another light", 0.125, dim, {.shadows = Shadows::hard}, 0.125},
+      {"hidden", 1, bright, {.shadows = Shadows::hard}, 0},
+      {"without shadows there are panes all the same", 1, dim, {}, 0.125},
+      {"half in half-shadow", 1.0 / 3, bright, soft(0.3, 16), 0.25},
+  };
+  for (auto row : rows) {
+    INFO(row.name);
+    row.shading.share = pane;
+    const oracle::SurfacePoint point = point_at({row.x, 0, 0});
+    CHECK(visibility(world, point, row.light, row.shading) == row.expected);
+    oracle::SurfacePoint aloof = point;
+    aloof.receives_shadow = false;
+    CHECK(visibility(world, aloof, row.light, row.shading) == 1);
+  }
+  for (const double wrong : {-0.1, 1.5, std::nan("")}) {
+    const Shading shading{.share = [=](const Light&, const glm::dvec3&) { return wrong; }};
+    CHECK(mentions(error_of([&] {
+                     visibility(world, point_at({0, 0, 0}), dim, shading);
+                   }),
+                   {fmt::format("share {}", wrong), "'dim'", "0 to 1"}));
+  }
+}
+
+TEST_CASE("what is not let through is missing from a picture, and ambient light is not", "[shadow]") {
+  Scene scene = dark_scene();
+  scene.ambient = glm::vec3(0.25f);
+  scene.lights = {lamp(LightType::directional, 0), lamp(LightType::directional, 0)};
+  scene.lights[0].name = "dim";
+  const World world(scene, {ground(10)});
+  const Image picture = trace(
+      world, {.camera = map_camera(4), .size = {4, 4}, .shading = {.share = [](const Light& light, const auto& at) {
+                                                         return light.name == "dim" && at.x > 0 ? 0.5 : 1.0;
+                                                       }}});
+  for (int x = 0; x < 4; ++x) CHECK(picture.at(x, 1).r == (x < 2 ? 2.25f : 1.75f));
 }
 
 TEST_CASE("a lamp in a closed box is seen from inside alone", "[shadow]") {
