@@ -28,9 +28,10 @@ struct PassSources {
 };
 
 /// What a step teaches of views inside views, as the renderer calls it. The virtual camera and the clipped projection
-/// are not among it: a feature calls its step's functions itself, and hands their matrices over in the View. Clipping by
-/// distances is given (View::clip_plane), clipping by discarded fragments is the slot discard_fragment. Both find OpenGL's usual state, with the
-/// scissor and the stencil test of the view around; the surface of the opening is drawn right after each.
+/// are not among it: a feature calls its step's functions itself, and hands their matrices over in the View. Clipping
+/// by distances is given (View::clip_plane), clipping by discarded fragments is the slot discard_fragment. Both find
+/// OpenGL's usual state, with the scissor and the stencil test of the view around; the surface of the opening is drawn
+/// right after each.
 struct NestingFunctions {
   /// For marking: what is visible of the opening raises the stencil buffer from `level` to level + 1. Changes neither
   /// colour nor depth.
