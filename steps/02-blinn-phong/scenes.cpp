@@ -165,13 +165,13 @@ Scene quay() {
   return scene;
 }
 
-/// Two lights of each type over a floor, made for "light.blind": nothing reaches up into a blind. Of two balls that are
-/// otherwise alike one receives no shadow, and so no stripes.
+/// Two lights of each type over a floor, made for "light.blind": nothing reaches up into a blind, and all is matt, so
+/// that no highlight can be wrong. Of two balls that are otherwise alike one receives no shadow, and so no stripes.
 Scene blinds() {
   Scene scene{.name = "blinds"};
   scene.ambient = glm::vec3(0.06f);
   const int floor = add_material(scene, {.name = "floor", .diffuse = glm::vec3(0.75f)});
-  const int ivory = add_material(scene, plastic("ivory", {0.7f, 0.66f, 0.58f}, 60));
+  const int ivory = add_material(scene, {.name = "ivory", .diffuse = {0.8f, 0.76f, 0.66f}});
   add_object(scene, make_plane({.width = 12, .depth = 9}), floor, {.name = "floor"});
   add_object(scene, make_sphere({.radius = 0.55f}), ivory, {.name = "striped", .translation = {-0.9, 0.55, 0.7}});
   add_object(scene, make_sphere({.radius = 0.55f}), ivory,
