@@ -1,13 +1,10 @@
-# atelier_step(NAME TITLE "..." FILES a.cpp a.glsl [HEADERS a.hpp] [USES 01-transforms ...]
-#              PROGRAM main.cpp ... [SHARED feature.cpp ...] [SHARES 02-blinn-phong ...])
+# atelier_step(NAME TITLE "..." FILES a.cpp a.glsl [USES 01-transforms ...]), called by steps/NAME/given/step.cmake
 #
 # NAME      the folder below steps/
 # FILES     what the student writes; the solution has the same names
-# HEADERS   the contract: what the student's files may include
-# USES      earlier steps whose functions are called
-# PROGRAM   the given sources that no other step needs
-# SHARED    the given sources that later steps build on: compiled once for all
-# SHARES    steps whose SHARED sources this program takes in beside its own
+# USES      earlier steps whose functions are called or whose given code is used
+#
+# The contract is steps/NAME/*.hpp, what the student's files may include; the given code is all of steps/NAME/given/.
 #
 # Makes the executable NAME, the given program as a module that it loads, and, where solutions/NAME is there, the
 # solution's library, unless a release has brought it compiled: solutions/NAME/libstep.so. Students' own files are not
@@ -33,6 +30,19 @@ add_custom_command(
   DEPENDS ${ATELIER_PRELUDE} DEPFILE ${ATELIER_PRELUDE}.d VERBATIM COMMENT "Precompiling the students' prelude")
 add_custom_target(atelier_prelude ALL DEPENDS ${ATELIER_PRELUDE}.gch)
 
+# Given code that includes from a step which USES does not list would end in an undefined symbol: named here, by the build.
+function(atelier_check_uses name)
+  set(stamp ${CMAKE_BINARY_DIR}/steps/${name}.uses)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${name}/given/*)
+  add_custom_command(OUTPUT ${stamp}
+    COMMAND ${CMAKE_COMMAND} "-DSTEP=${name}" "-DUSES=${ARGN}" -DSTEPS=${PROJECT_SOURCE_DIR}/steps -DSTAMP=${stamp}
+            -P ${PROJECT_SOURCE_DIR}/cmake/check_uses.cmake
+    DEPENDS ${sources} ${PROJECT_SOURCE_DIR}/cmake/check_uses.cmake VERBATIM
+    COMMENT "Checking the steps that ${name} uses")
+  add_custom_target(uses-${name} DEPENDS ${stamp})
+  add_dependencies(program-${name} uses-${name})
+endfunction()
+
 function(atelier_json_list out)
   set(quoted "")
   foreach(item IN LISTS ARGN)
@@ -43,30 +53,35 @@ function(atelier_json_list out)
 endfunction()
 
 function(atelier_step name)
-  cmake_parse_arguments(STEP "" "TITLE" "FILES;HEADERS;USES;PROGRAM;SHARED;SHARES" ${ARGN})
+  cmake_parse_arguments(STEP "" "TITLE" "FILES;USES" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/steps/${name})
-  if(EXISTS ${PROJECT_SOURCE_DIR}/skeletons AND NOT EXISTS ${folder}/main.cpp)
-    return()  # a step that has not been released yet
-  endif()
 
-  list(TRANSFORM STEP_PROGRAM PREPEND ${folder}/)
+  # Given code that later steps build on is compiled once, into a library; a later program takes from it what it needs.
+  file(GLOB given CONFIGURE_DEPENDS ${folder}/given/*.cpp)
+  set(program ${folder}/given/main.cpp)
+  list(REMOVE_ITEM given ${program})
+  add_library(program-${name} MODULE ${program})
   set(parts program-${name})
-  add_library(program-${name} MODULE ${STEP_PROGRAM})
-  if(STEP_SHARED)
-    list(TRANSFORM STEP_SHARED PREPEND ${folder}/)
-    add_library(shared-${name} OBJECT ${STEP_SHARED})
-    list(APPEND parts shared-${name})
-    list(APPEND STEP_SHARES ${name})
+  if(given)
+    add_library(given-${name} STATIC ${given})
+    list(APPEND parts given-${name})
   endif()
   foreach(part IN LISTS parts)
-    target_link_libraries(${part} PRIVATE atelier)
+    target_link_libraries(${part} PUBLIC atelier)
     target_include_directories(${part} PRIVATE ${PROJECT_SOURCE_DIR}/steps)
+    target_compile_definitions(${part} PRIVATE ATELIER_STEP="${name}" "ATELIER_STEP_TITLE=\"${STEP_TITLE}\"")
     set_target_properties(${part} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     atelier_precompile(${part})
+    foreach(step IN LISTS STEP_USES)
+      if(TARGET given-${step})
+        target_link_libraries(${part} PUBLIC given-${step})
+      endif()
+    endforeach()
   endforeach()
-  foreach(step IN LISTS STEP_SHARES)
-    target_sources(program-${name} PRIVATE $<TARGET_OBJECTS:shared-${step}>)
-  endforeach()
+  if(given)
+    target_link_libraries(program-${name} PRIVATE given-${name})
+  endif()
+  atelier_check_uses(${name} ${STEP_USES})
 
   # Which of the steps have C++ of the student's, in the order of loading.
   set(libraries "")
@@ -104,7 +119,7 @@ function(atelier_step name)
   endif()
 
   # This step's lines of step_flags.json.
-  list(TRANSFORM STEP_HEADERS PREPEND ${name}/)
+  file(GLOB STEP_HEADERS CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/steps ${folder}/*.hpp)
   foreach(used IN LISTS STEP_USES)
     get_property(earlier GLOBAL PROPERTY ATELIER_HEADERS_${used})
     list(APPEND STEP_HEADERS ${earlier})

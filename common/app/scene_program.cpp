@@ -76,16 +76,14 @@ SettingSpec chain_format_setting() {
           .help = "how pictures between two passes are stored; frame: as the picture itself"};
 }
 
-SceneProgram::SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features,
-                           MakeScene make_scene, MakeTruth make_truth, ChainFunctions chain)
-    : description_(std::move(description)),
-      transforms_(std::move(transforms)),
-      make_features_(std::move(features)),
-      make_scene_(std::move(make_scene)),
-      make_truth_(std::move(make_truth)),
-      chain_(std::move(chain)) {
-  description_.imports = true;
+SceneProgram::SceneProgram(SceneStep step) : step_(std::move(step)) {
+  description_ = {.name = step_.name, .title = step_.title, .imports = true, .probes = step_.probes};
+  for (const NamedScene& scene : step_.scenes) description_.scenes.push_back(scene.name);
+  for (const auto& group : step_.settings)
+    description_.settings.insert(description_.settings.end(), group.begin(), group.end());
   for (SettingSpec& spec : frame_settings()) description_.settings.push_back(std::move(spec));
+  description_.outputs = {{"colour", Encoding::linear, "what is seen"}};
+  for (const OutputSpec& output : step_.outputs) description_.outputs.push_back(output);
   description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
   description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
   description_.outputs.push_back({"position", Encoding::data, "the position in world space, metres"});
@@ -93,14 +91,16 @@ SceneProgram::SceneProgram(StepDescription description, TransformFunctions trans
 }
 
 void SceneProgram::open(Gl& gl, const Implementations& implementations) {
-  renderer_ = std::make_unique<Renderer>(gl, implementations, transforms_, make_features_(), chain_);
+  FeatureList features;
+  step_.features(features);
+  renderer_ = std::make_unique<Renderer>(gl, implementations, step_.transforms, features.take(), step_.chain);
 }
 
 void SceneProgram::load(const std::string& scene, const Settings& settings) {
   Loaded wanted{scene, settings.values()};
   if (loaded_ == wanted && !is_model_file(scene)) return;  // a file may have changed since
   loaded_.reset();
-  scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene_(scene, settings);
+  scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene(step_.scenes, scene, settings);
   boxes_.clear();
   renderer_->configure(settings, chain_format(description_, settings));
   renderer_->prepare(scene_);
@@ -130,10 +130,10 @@ void SceneProgram::draw(const Frame& frame, const Settings& settings) {
 }
 
 Image SceneProgram::truth(const TruthRequest& request, const Settings& settings) const {
-  if (!make_truth_) return StepProgram::truth(request, settings);
+  if (!step_.truth) return StepProgram::truth(request, settings);
   std::optional<Scene> model;
   if (is_model_file(request.scene)) model = import_scene(request.scene);
-  return trace_scene(make_truth_(request, settings, std::move(model)), request, description_, settings);
+  return trace_scene(step_.truth(request, settings, std::move(model)), request, description_, settings);
 }
 
 }  // namespace atelier

@@ -6,22 +6,32 @@
 #include <optional>
 #include <vector>
 
+#include "app/scene_table.hpp"
 #include "app/scene_truth.hpp"
 #include "app/step_program.hpp"
+#include "render/feature_list.hpp"
 #include "render/renderer.hpp"
 
 namespace atelier {
 
+/// What a step that draws scenes consists of.
+struct SceneStep {
+  std::string name;   ///< "01-transforms"
+  std::string title;  ///< "Transforms and vertex buffers"
+  SceneTable scenes;
+  std::vector<std::vector<SettingSpec>>
+      settings;                     ///< group by group, in the order of the panel; the frame's own follow
+  std::vector<OutputSpec> outputs;  ///< beside "colour" and the renderer's own
+  std::map<std::string, Probe> probes;
+  TransformFunctions transforms;
+  std::function<void(FeatureList&)> features;  ///< adds them
+  MakeTruth truth;                             ///< absent: there is no ground truth
+  ChainFunctions chain;                        ///< runs the passes of features that have some
+};
+
 class SceneProgram : public StepProgram {
  public:
-  using MakeFeatures = std::function<std::vector<std::unique_ptr<Feature>>()>;
-  using MakeScene = std::function<Scene(const std::string& name, const Settings& settings)>;
-
-  /// The description's outputs are completed by the renderer's own, its settings by those of the frame. Without
-  /// `make_truth` there is no ground truth.
-  /// `chain` runs the passes of features that have some.
-  SceneProgram(StepDescription description, TransformFunctions transforms, MakeFeatures features, MakeScene make_scene,
-               MakeTruth make_truth = {}, ChainFunctions chain = {});
+  explicit SceneProgram(SceneStep step);
 
   const StepDescription& description() const override { return description_; }
   void open(Gl& gl, const Implementations& implementations) override;
@@ -34,12 +44,8 @@ class SceneProgram : public StepProgram {
   std::string reload_changed_shaders() override { return renderer_->reload_changed_shaders(); }
 
  private:
+  SceneStep step_;
   StepDescription description_;
-  TransformFunctions transforms_;
-  MakeFeatures make_features_;
-  MakeScene make_scene_;
-  MakeTruth make_truth_;
-  ChainFunctions chain_;
   Scene scene_;
   std::vector<Box3> boxes_;  ///< of the scene's nodes; empty until somebody asks
   std::unique_ptr<Renderer> renderer_;

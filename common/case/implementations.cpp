@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "DIR", "NN-name=DIR" or "NN-name/file=DIR"; a folder that has '=' in its own name needs one of them in front of it.
+/// "DIR", "NN-name=DIR", "NN-name/file=DIR" or "NN-name/folder=DIR"; a folder that has '=' in its own name needs one of them in front of it.
 Implementations::Root parse_root(const std::string& text) {
   const std::size_t equals = text.find('=');
   Implementations::Root root;
@@ -23,7 +23,7 @@ Implementations::Root parse_root(const std::string& text) {
   if (std::ranges::count(root.only, '/') > 1 || root.only.starts_with('/') || root.only.ends_with('/'))
     throw Error(
         fmt::format("implementations: '{}' is no step and no file of one (names like 03-shadow-mapping and "
-                    "03-shadow-mapping/shadows.glsl)",
+                    "03-shadow-mapping/given)",
                     printable(root.only)));
   std::error_code ignored;
   if (!fs::is_directory(root.folder, ignored)) {

@@ -9,13 +9,13 @@
 namespace atelier {
 
 /// Folders that hold NN-name/ folders with shader files and compiled step libraries (NN-name/libstep.so), first match
-/// wins, file by file. A root may be limited to one step, "03-shadow-mapping=DIR", or to one file of it,
-/// "03-shadow-mapping/shadows.glsl=DIR".
+/// wins, file by file. A root may be limited to one step, "03-shadow-mapping=DIR", or to one file or folder of it,
+/// "03-shadow-mapping/given=DIR".
 class Implementations {
  public:
   struct Root {
     std::filesystem::path folder;
-    std::string only;  ///< the step, or the file of a step, that it answers for; empty: all
+    std::string only;  ///< the step, or the file or folder of a step, that it answers for; empty: all
     bool answers_for(const std::string& name) const;  ///< "NN-name/file"
   };
 

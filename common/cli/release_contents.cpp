@@ -46,10 +46,6 @@ bool contains(const std::vector<CourseStep>& steps, const CourseStep& step) {
   return std::any_of(steps.begin(), steps.end(), [&](const CourseStep& s) { return s.name == step.name; });
 }
 
-bool is_students(const CourseStep& step, const std::string& file) {
-  return std::find(step.files.begin(), step.files.end(), file) != step.files.end();
-}
-
 /// The steps that `steps` use, themselves left out; a step is behind all that it uses.
 std::vector<CourseStep> earlier_steps(const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps) {
   std::set<std::string> used;
@@ -134,14 +130,13 @@ class Packer {
     take_below("common", {".cpp", ".hpp", ".glsl", ".cmake", ".sh", "CMakeLists.txt"});
   }
 
-  /// The contract and the program: never what stands there under the names of the student's files.
+  /// The contract, the five lines of a README, and what is given.
   void pack_given(const CourseStep& step) {
-    const std::set<std::string> kinds = {".cpp", ".hpp", ".glsl"};
-    for (const auto& entry : fs::directory_iterator(folders_.steps() / step.name)) {
-      const std::string file = entry.path().filename().string();
-      if (entry.is_regular_file() && kinds.contains(entry.path().extension()) && !is_students(step, file))
-        take_known("steps/" + step.name + "/" + file);
-    }
+    const std::string folder = "steps/" + step.name;
+    for (const auto& entry : fs::directory_iterator(folders_.root / folder))
+      if (const fs::path& path = entry.path(); path.extension() == ".hpp" || path.filename() == "README.md")
+        take_known(folder + "/" + path.filename().string());
+    take_below(folder + "/given", {".cpp", ".hpp", ".glsl", ".cmake"});
   }
 
   void pack_skeletons(const CourseStep& step) {

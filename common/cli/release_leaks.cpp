@@ -15,15 +15,11 @@ void append_files_below(const fs::path& folder, std::string& text) {
     if (entry.is_regular_file() && entry.path().extension() != ".png") text += read_file(entry.path()) + "\n";
 }
 
-/// The given files of a step: all but the student's.
-void append_given_files(const fs::path& folder, const CourseStep& step, std::string& text) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const std::string extension = entry.path().extension().string();
-    const bool students = std::find(step.files.begin(), step.files.end(), name) != step.files.end();
-    if (!students && (extension == ".cpp" || extension == ".hpp" || extension == ".glsl"))
-      text += read_file(entry.path()) + "\n";
-  }
+/// What everybody gets of a step: the contract, and the given code.
+void append_given_files(const fs::path& folder, std::string& text) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".hpp") text += read_file(entry.path()) + "\n";
+  if (fs::is_directory(folder / "given")) append_files_below(folder / "given", text);
 }
 
 }  // namespace
@@ -34,7 +30,7 @@ std::set<std::string> distinctive_lines(const ProjectFolders& folders, const std
   std::string given;
   append_files_below(folders.root / "common", given);
   for (const CourseStep& step : course) {
-    append_given_files(folders.steps() / step.name, step, given);
+    append_given_files(folders.steps() / step.name, given);
     const bool secret = std::any_of(steps.begin(), steps.end(), [&](const auto& s) { return s.name == step.name; });
     for (const std::string& file : step.files) {
       const std::string where = "solutions/" + step.name + "/" + file;

@@ -36,11 +36,11 @@ StudentFile find_student_file(const ProjectFolders& folders, const std::vector<C
   fs::path path = fs::path(text).lexically_normal();
   if (path.is_absolute()) path = path.lexically_relative(folders.own());
   if (path.begin() != path.end() && *path.begin() == "steps") path = path.lexically_relative("steps");
-  const std::string name = path.filename().string();
-  const std::string folder = path.parent_path().string();
+  const bool step_is_named = path.has_parent_path();
+  const std::string name = step_is_named ? path.lexically_relative(*path.begin()).string() : path.string();
 
-  if (!folder.empty()) {
-    const CourseStep& step = resolve_step(course, folder);
+  if (step_is_named) {
+    const CourseStep& step = resolve_step(course, path.begin()->string());
     if (!has(step, name)) refuse(text, {step});
     return {step, name};
   }

@@ -35,17 +35,6 @@ std::set<std::string> steps_in(const fs::path& folder) {
   return names;
 }
 
-/// The shaders beside a student's own that everybody gets.
-std::set<std::string> given_shaders(const fs::path& folder, const CourseStep& step) {
-  std::set<std::string> names;
-  std::error_code missing;
-  for (const auto& entry : fs::directory_iterator(folder, missing))
-    if (const std::string name = entry.path().filename().string();
-        name.ends_with(".glsl") && name.find_first_of(":=") == name.npos && std::ranges::count(step.files, name) == 0)
-      names.insert(name);
-  return names;
-}
-
 }  // namespace
 
 std::string to_string(Owner owner) {
@@ -77,10 +66,9 @@ Implementations search_path(const ProjectFolders& folders, const CourseStep& ste
     for (const fs::path& folder : {from.libraries, from.sources})
       if (fs::is_directory(folder)) roots.push_back({folder, only});
   };
+  roots.push_back({folders.steps(), step.name + "/given"});  // before all: nobody's own answers for what is given
   add(code, step.name);
   for (const auto& [name, owner] : earlier) add(code_of(folders, owner), name);
-  for (const std::string& shader : given_shaders(folders.steps() / step.name, step))
-    roots.push_back({folders.steps(), step.name + "/" + shader});
   for (const Owner owner : {Owner::solution, Owner::mine})
     for (const std::string& other : steps_in(code_of(folders, owner).sources))
       if (other != step.name) add(code_of(folders, owner), other);

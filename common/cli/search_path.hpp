@@ -30,8 +30,8 @@ using Owners = std::map<std::string, Owner>;
 Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                      const std::string& asked);
 
-/// The search path: `code` for `step` alone, then each earlier step's owner, then the shaders that are given with
-/// `step`, and for every other step whatever is there. Nobody but `code` answers for what a student writes in `step`:
+/// The search path: what is given with `step`, `code` for `step` alone, then each earlier step's owner, and for every
+/// other step whatever is there. Nobody but `code` answers for what a student writes in `step`:
 /// who takes a file of his away while it is judged is not given the solution's. Throws Error where a folder has ':' in
 /// its path, which parts the folders of a search path.
 Implementations search_path(const ProjectFolders& folders, const CourseStep& step, const grade::Code& code,

@@ -37,7 +37,7 @@ enum class Slot {
 
 /// A piece of GLSL: the file that defines a function, and the function's name.
 struct SlotCode {
-  std::string include;   ///< "02-blinn-phong/surface_lighting.glsl"
+  std::string include;   ///< "02-blinn-phong/given/surface_lighting.glsl"
   std::string function;  ///< "shade_surface"
 };
 

@@ -1,6 +1,6 @@
 // 04-point-shadows, the lookup: how much of a lamp's light reaches a point. What each function must do stands in
 // point_shadows.hpp; the structs, uniforms and cubes are these:
-#include "04-point-shadows/cubes.glsl"
+#include "04-point-shadows/given/cubes.glsl"
 // Step 03's functions, among them the biases:
 #include "03-shadow-mapping/shadow_mapping.glsl"
 

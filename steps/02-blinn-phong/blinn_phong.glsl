@@ -1,6 +1,6 @@
 // 02-blinn-phong, the fragment shader's part: light that arrives, and light that leaves. What each function must do stands
 // in blinn_phong.hpp; the structs are these:
-#include "02-blinn-phong/lights.glsl"
+#include "02-blinn-phong/given/lights.glsl"
 
 // ---- Light that arrives
 

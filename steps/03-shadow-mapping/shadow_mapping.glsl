@@ -1,6 +1,6 @@
 // 03-shadow-mapping, the lookup: how much of a light reaches a point. What each function must do stands in
 // shadow_mapping.hpp; the structs and uniforms are these:
-#include "03-shadow-mapping/shadows.glsl"
+#include "03-shadow-mapping/given/shadows.glsl"
 
 // ---- One lookup
 

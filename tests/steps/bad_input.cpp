@@ -47,7 +47,7 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
       {"no step to run", {"run"}, "which step"},
       {"a hint for no case", {"hint", "00", "no-such-case"}, "no-such-case"},
       {"a fourth level", {"hint", "00", "--level", "4"}, "--level"},
-      {"a file that nobody writes", {"reset", "steps/00-hello/main.cpp"}, "hello.glsl"},
+      {"a file that nobody writes", {"reset", "steps/00-hello/given/main.cpp"}, "hello.glsl"},
       {"a function that nobody writes", {"compare", "00", "no_such_function"}, "no_such_function"},
       {"too many repeats", {"bench", "--repeats", "100000"}, "--repeats"},
       {"two tiers", {"test", "--quick", "--all"}, "--all"},

@@ -4,7 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
-#include "04-point-shadows/cube_room.hpp"
+#include "04-point-shadows/given/cube_room.hpp"
 #include "shadow-demo/two_pass_demo.hpp"
 
 namespace atelier::shadow_demo {

@@ -1,7 +1,7 @@
 // One depth map of 1024 x 1024 texels over a fixed box, everything drawn into it, 3 x 3 comparisons a pixel.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "03-shadow-mapping/cubes.hpp"
+#include "03-shadow-mapping/given/three_cubes.hpp"
 #include "shadow-demo/two_pass_demo.hpp"
 
 namespace atelier::shadow_demo {

@@ -48,32 +48,20 @@ class Tint : public Feature {
   glm::vec3 tint_{1}, glow_{0};
 };
 
-inline StepDescription fake_description() {
-  StepDescription description{.name = step_name, .title = "A step for tests", .scenes = {"box", "ring"}};
-  description.settings = view_settings();
-  description.settings.push_back(
+inline std::vector<SettingSpec> fake_settings() {
+  std::vector<SettingSpec> settings = view_settings();
+  settings.push_back(
       {.name = "tint.colour", .fallback = std::string("red"), .choices = {"red", "blue"}, .help = "of the surface"});
-  description.settings.push_back(
-      {.name = "tint.brightness", .fallback = 0.5, .low = 0, .high = 4, .help = "a factor on it"});
-  description.settings.push_back(
-      {.name = "segments", .fallback = 48, .low = 3, .high = 4096, .help = "around the ring"});
-  description.settings.push_back(
+  settings.push_back({.name = "tint.brightness", .fallback = 0.5, .low = 0, .high = 4, .help = "a factor on it"});
+  settings.push_back({.name = "segments", .fallback = 48, .low = 3, .high = 4096, .help = "around the ring"});
+  settings.push_back(
       {.name = "tint.glow", .fallback = Colour(0), .low = 0, .high = 2, .help = "light that the surface sends out"});
-  description.outputs = {{"colour", Encoding::linear, "reflected light, linear"}};
-  description.probes["twice"] = [](ProbeContext&, const Arguments& arguments) {
-    return Numbers{2 * arguments.number("x")};
-  };
-  return description;
+  return settings;
 }
 
-inline Scene fake_scene(const std::string& name, const Settings& settings) {
+inline Scene fake_scene(const std::string& name, Mesh mesh) {
   Scene scene{.name = name};
-  if (name == "box")
-    scene.meshes = {make_box({.size = glm::vec3(1.5f)})};
-  else if (name == "ring")
-    scene.meshes = {make_torus({.segments = settings.integer("segments")})};
-  else
-    throw Error("scene '" + name + "': 00-fake offers box, ring");
+  scene.meshes = {std::move(mesh)};
   scene.materials = {Material{}};
   scene.nodes = {Node{.rotation_axis = {1, 0, 0}, .rotation_angle = 0.6f, .mesh = 0}};
   scene.background = {0.02f, 0.03f, 0.05f};
@@ -81,18 +69,39 @@ inline Scene fake_scene(const std::string& name, const Settings& settings) {
   return scene;
 }
 
+inline SceneTable fake_scenes() {
+  return {{"box", [](const Settings&) { return fake_scene("box", make_box({.size = glm::vec3(1.5f)})); }},
+          {"ring", [](const Settings& settings) {
+             const int segments = settings.integer("segments");
+             return fake_scene("ring", make_torus({.segments = segments}));
+           }}};
+}
+
+inline SceneStep fake_step() {
+  return {.name = step_name,
+          .title = "A step for tests",
+          .scenes = fake_scenes(),
+          .settings = {fake_settings()},
+          .probes = {{"twice",
+                      [](ProbeContext&, const Arguments& arguments) { return Numbers{2 * arguments.number("x")}; }}},
+          .transforms = fake_transforms(),
+          .features = [](FeatureList& list) { list.add<Tint>(); }};
+}
+
+/// Draws nothing but silhouettes, with these settings alone.
+inline SceneStep bare_step(std::vector<SettingSpec> settings = {}) {
+  return {.name = "00-bare",
+          .title = "No feature",
+          .scenes = fake_scenes(),
+          .settings = {std::move(settings)},
+          .transforms = fake_transforms(),
+          .features = [](FeatureList&) {}};
+}
+
 /// The program; `on_load` and `on_draw` run before each loading and drawing, and may throw as a student's code may.
 class FakeStep : public SceneProgram {
  public:
-  FakeStep()
-      : SceneProgram(
-            fake_description(), fake_transforms(),
-            [] {
-              std::vector<std::unique_ptr<Feature>> features;
-              features.push_back(std::make_unique<Tint>());
-              return features;
-            },
-            fake_scene) {}
+  FakeStep() : SceneProgram(fake_step()) {}
 
   void load(const std::string& scene, const Settings& settings) override {
     ++loads;

@@ -16,7 +16,7 @@ using test::Studio;
 /// The values that a setting has in `frames` pictures.
 template <class Value>
 std::vector<Value> values_of(const char* name, const char* from, const char* to, int frames) {
-  const Change change = change_of_setting(varied_setting(test::fake_description().settings, name, from, to));
+  const Change change = change_of_setting(varied_setting(test::fake_settings(), name, from, to));
   std::vector<Value> values;
   for (int i = 0; i < frames; ++i) {
     Case picture = small_picture();
@@ -69,7 +69,7 @@ TEST_CASE("a variation says what it cannot run through", "[record]") {
   for (const auto& row : rows) {
     INFO(row.name << '=' << row.from << ".." << row.to);
     const std::string words =
-        error_of([&] { varied_setting(test::fake_description().settings, row.name, row.from, row.to); });
+        error_of([&] { varied_setting(test::fake_settings(), row.name, row.from, row.to); });
     INFO(words);
     CHECK(mentions(words, row.answer));
   }
@@ -95,7 +95,7 @@ TEST_CASE("a recording draws each of its pictures once, on a fixed clock", "[rec
   Studio studio;
   const auto folder = studio.folder.path();
   const Change brighter =
-      change_of_setting(varied_setting(test::fake_description().settings, "tint.brightness", "0.5", "2"));
+      change_of_setting(varied_setting(test::fake_settings(), "tint.brightness", "0.5", "2"));
   record(*studio.painter, small_picture(), brighter, Encoding::linear, folder / "b.exr", 3);
   CHECK(studio.step.draws == 3);
   CHECK(studio.step.last_time == 2 / 24.0);

@@ -84,9 +84,7 @@ TEST_CASE("the view settings have their effect", "[scene_program]") {
 }
 
 TEST_CASE("a program without view settings draws with the defaults", "[scene_program]") {
-  SceneProgram program(
-      {.name = "00-bare", .title = "bare", .scenes = {"box"}}, test::fake_transforms(),
-      [] { return std::vector<std::unique_ptr<Feature>>(); }, test::fake_scene);
+  const SceneProgram program(test::bare_step());
   CHECK(program.depth_format(Settings()) == DepthFormat::depth24);
 }
 
@@ -100,15 +98,11 @@ TEST_CASE("a target has a stencil buffer where a feature draws views inside view
   const TemporaryFolder folder;
   test::write_fake_shaders(folder.path());
   const auto context = make_headless_context();
-  SceneProgram program(
-      {.name = "00-bare", .title = "bare", .scenes = {"box", "other"}, .settings = view_settings()},
-      test::fake_transforms(),
-      [] {
-        std::vector<std::unique_ptr<Feature>> list;
-        list.push_back(std::make_unique<Portals>());
-        return list;
-      },
-      [](const std::string& name, const Settings&) { return Scene{.name = name}; });
+  SceneStep parts = test::bare_step(view_settings());
+  parts.scenes = {{"box", [](const Settings&) { return Scene{.name = "box"}; }},
+                  {"other", [](const Settings&) { return Scene{.name = "other"}; }}};
+  parts.features = [](FeatureList& list) { list.add<Portals>(); };
+  SceneProgram program(std::move(parts));
   program.open(context->gl(), Implementations({{folder.path(), ""}}));
   const struct {
     const char* scene;

@@ -13,21 +13,24 @@ using test::error_of;
 using test::mentions;
 
 /// The fake step with a truth: an exact sphere in place of whatever the scene is.
+SceneStep true_step() {
+  SceneStep step = test::fake_step();
+  step.features = [](FeatureList&) {};
+  step.truth = [](const TruthRequest& request, const Settings& settings, std::optional<Scene>) {
+    SceneTruth truth{.scene = make_scene(test::fake_scenes(), request.scene, settings)};
+    truth.scene.nodes.clear();
+    truth.shapes = {{.surface = oracle::Sphere{1}}};
+    truth.shading.surface = [](const oracle::World&, const oracle::SurfacePoint&, const glm::dvec3&) {
+      return glm::dvec3(0.75);
+    };
+    return truth;
+  };
+  return step;
+}
+
 class TrueStep : public SceneProgram {
  public:
-  TrueStep()
-      : SceneProgram(
-            test::fake_description(), test::fake_transforms(), [] { return std::vector<std::unique_ptr<Feature>>(); },
-            test::fake_scene,
-            [](const TruthRequest& request, const Settings& settings, std::optional<Scene>) {
-              SceneTruth truth{.scene = test::fake_scene(request.scene, settings)};
-              truth.scene.nodes.clear();
-              truth.shapes = {{.surface = oracle::Sphere{1}}};
-              truth.shading.surface = [](const oracle::World&, const oracle::SurfacePoint&, const glm::dvec3&) {
-                return glm::dvec3(0.75);
-              };
-              return truth;
-            }) {}
+  TrueStep() : SceneProgram(true_step()) {}
 };
 
 Case small(const std::string& output = "colour") {

@@ -96,15 +96,15 @@ TEST_CASE("the search path has the code under judgement in front, for its own st
   CHECK(path.find("01-move/a.glsl") == root.path() / "solutions/01-move/a.glsl");
 
   // What theirs lacks nobody else answers for, but for the shaders that are given with the step.
-  for (const char* name : {"solutions/02-light/light.glsl", "steps/02-light/light.glsl", "steps/02-light/given.glsl",
-                           "solutions/03-far/far.glsl"})
+  for (const char* name : {"solutions/02-light/light.glsl", "steps/02-light/light.glsl",
+                           "steps/02-light/given/more.glsl", "solutions/03-far/far.glsl"})
     write_file(root.path() / name, std::string_view("somebody's"));
   write_file(folders.own_implementations() / "02-light/libstep.so", std::string_view("mine"));
   const CourseStep with_files{.name = "02-light", .files = {"light.cpp", "light.glsl"}, .uses = {"01-move"}};
   const Implementations strict = search_path(folders, with_files, {root.path() / "theirs", root.path()}, solution);
   CHECK(strict.find("02-light/light.glsl") == "");
   CHECK(strict.find("02-light/libstep.so") == "");
-  CHECK(strict.find("02-light/given.glsl") == root.path() / "steps/02-light/given.glsl");
+  CHECK(strict.find("02-light/given/more.glsl") == root.path() / "steps/02-light/given/more.glsl");
   CHECK(strict.find("03-far/far.glsl") == root.path() / "solutions/03-far/far.glsl");
 
   std::filesystem::create_directories(root.path() / "a=b:c");

@@ -72,9 +72,9 @@ struct Project {
                              "tests/unit/move.cpp",
                              "tests/cases/README.md",
                              "steps/01-move/move.hpp",
-                             "steps/01-move/main.cpp",
-                             "steps/01-move/main.cpp.orig",
-                             "steps/02-light/main.cpp"})
+                             "steps/01-move/given/main.cpp",
+                             "steps/01-move/given/main.cpp.orig",
+                             "steps/02-light/given/main.cpp"})
       write(name, name);
     write("handouts/README-release.md", "For students.");
     write("handouts/01-move.md", "![a](pictures/01-a.png), ![e](plots/01-error.svg), then [light](02-light.md#top).");
@@ -126,7 +126,7 @@ const std::set<std::string> always = {"CMakeLists.txt",
                                       "cmake/steps.cmake",
                                       "common/base/file.hpp",
                                       "common/base/CMakeLists.txt"};
-const std::set<std::string> of_move = {"steps/01-move/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
+const std::set<std::string> of_move = {"steps/01-move/given/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
                                        "handouts/pictures/01-a.png", "handouts/plots/01-error.svg"};
 const std::set<std::string> skeletons_of_move = {"skeletons/01-move/move.cpp", "skeletons/01-move/move.glsl"};
 const std::set<std::string> cases_files_of_move = {
@@ -135,7 +135,7 @@ const std::set<std::string> cases_files_of_move = {
     "tests/cases/01-move/near.json",        "tests/cases/01-move/shown.exr",
     "tests/cases/01-move/shown.json",       "tests/cases/01-move/atlas/near--backwards.png",
     "tests/mistakes/01-move/mistakes.json", "tests/cases/01-move/atlas/shown--backwards.png"};
-const std::set<std::string> of_light = {"steps/02-light/main.cpp",         "handouts/02-light.md",
+const std::set<std::string> of_light = {"steps/02-light/given/main.cpp",   "handouts/02-light.md",
                                         "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
                                         "tests/cases/02-light/cases.json", "tests/cases/02-light/lit.values.json"};
 
@@ -259,10 +259,11 @@ TEST_CASE("what git does not know stays behind") {
     SKIP_TEST("no git");
   }
   REQUIRE(git({"add", "."}));
-  project.write("steps/01-move/old_solution.cpp", "anything");
+  project.write("steps/01-move/given/old_solution.cpp", "anything");
   project.write("common/base/scratch.hpp", "anything");
   const Release release = project.release({move});
-  CHECK(release.untracked == std::vector<std::string>{"common/base/scratch.hpp", "steps/01-move/old_solution.cpp"});
+  CHECK(release.untracked ==
+        std::vector<std::string>{"common/base/scratch.hpp", "steps/01-move/given/old_solution.cpp"});
   CHECK(names_of(release) == always + of_move + skeletons_of_move + cases_files_of_move);
 }
 

@@ -21,9 +21,9 @@ class Lamp : public Feature {
 
 TEST_CASE("a light that a feature adds shines as the scene's own, with its shadows", "[compose]") {
   Place place;
-  Scene scene = make_point_scene("lantern", place.settings);
-  Features with_lamp = features_of(4);
-  with_lamp.insert(with_lamp.begin(), std::make_unique<Lamp>());
+  Scene scene = make_scene(point_scenes(), "lantern", place.settings);
+  FeatureList with_lamp = features_of(4);
+  with_lamp.add<Lamp>();
   place.open(std::move(with_lamp));
   const Image added = place.draw(scene);
   place.open(features_of(4));

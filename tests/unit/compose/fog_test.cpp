@@ -30,19 +30,18 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
   const struct {
     int step;
     const char* scene;
-    Scene (*make)(const std::string& name, const Settings& settings);
-  } rows[] = {
-      {2, "teapot", make_blinn_phong_scene}, {3, "teapot", make_shadow_scene}, {4, "lantern", make_point_scene}};
+    const SceneTable& scenes;
+  } rows[] = {{2, "teapot", blinn_phong_scenes()}, {3, "teapot", shadow_scenes()}, {4, "lantern", point_scenes()}};
   for (const auto& row : rows) {
     INFO("step 0" << row.step << ", scene " << row.scene);
     Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
     const glm::vec3 fog_colour(place.settings.colour("fog.colour"));
     write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
-    const Scene scene = row.make(row.scene, place.settings);
+    const Scene scene = make_scene(row.scenes, row.scene, place.settings);
     place.open(features_of(row.step));
     const Image plain = place.draw(scene), places = place.draw(scene, "position"), depths = place.draw(scene, "depth");
-    Features with_fog = features_of(row.step);
-    with_fog.push_back(std::make_unique<Fog>());
+    FeatureList with_fog = features_of(row.step);
+    with_fog.add<Fog>();
     place.open(std::move(with_fog));
     const Image fog = place.draw(scene);
     double worst = 0;
@@ -63,8 +62,8 @@ TEST_CASE("the scenes that a fog is laid over have shadows in them", "[compose]"
   Place place;
   for (const int step : {3, 4}) {
     INFO("step 0" << step);
-    const Scene scene =
-        step == 3 ? make_shadow_scene("teapot", place.settings) : make_point_scene("lantern", place.settings);
+    const Scene scene = step == 3 ? make_scene(shadow_scenes(), "teapot", place.settings)
+                                  : make_scene(point_scenes(), "lantern", place.settings);
     place.open(features_of(step));
     const Image with = place.draw(scene);
     place.open(features_of(2));
@@ -75,9 +74,9 @@ TEST_CASE("the scenes that a fog is laid over have shadows in them", "[compose]"
 TEST_CASE("a fog is seen in the picture that a student's function has encoded, too", "[compose]") {
   Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
   write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
-  const Scene scene = make_blinn_phong_scene("teapot", place.settings);
-  Features features = features_of(2);
-  features.push_back(std::make_unique<Fog>());
+  const Scene scene = make_scene(blinn_phong_scenes(), "teapot", place.settings);
+  FeatureList features = features_of(2);
+  features.add<Fog>();
   place.open(std::move(features));
   const Image light = place.draw(scene), encoded = place.draw(scene, "encoded");
   const Rgba seen = light.at(48, 48), codes = encoded.at(48, 48);

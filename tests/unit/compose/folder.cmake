@@ -1,7 +1,5 @@
 # Features of steps beside each other: their given parts, and the solutions of what students write.
-foreach(step IN ITEMS 02-blinn-phong 03-shadow-mapping 04-point-shadows)
-  target_sources(unit-compose PRIVATE $<TARGET_OBJECTS:shared-${step}>)
-endforeach()
+target_link_libraries(unit-compose PRIVATE given-04-point-shadows)  # with those of the steps that it uses
 file(GLOB solutions CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solutions/0[1-4]-*/*.cpp)
 target_sources(unit-compose PRIVATE ${solutions})
 set_source_files_properties(${solutions} PROPERTIES

@@ -75,15 +75,13 @@ TEST_CASE("a window that shows what is behind it changes nothing, however maps a
       INFO("step 0" << step << ", shadow.update " << update);
       Place place;
       place.settings.set("shadow.update", update);
-      Scene scene =
-          step == 3 ? make_shadow_scene("teapot", place.settings) : make_point_scene("lantern", place.settings);
+      Scene scene = step == 3 ? make_scene(shadow_scenes(), "teapot", place.settings)
+                              : make_scene(point_scenes(), "lantern", place.settings);
       scene.camera.near = 0.25f;
       place.open(features_of(step));
       const Image plain = place.draw(scene);
-      Features features = features_of(step);
-      auto window = std::make_unique<ClearWindow>();
-      const ClearWindow& seen = *window;
-      features.push_back(std::move(window));
+      FeatureList features = features_of(step);
+      const auto& seen = features.add<ClearWindow>();
       place.open(std::move(features));
       // The eye of a given matrix is taken from its inverse, whose last bits differ: highlights follow by some 4e-6.
       CHECK(largest_difference(place.draw(with_window(scene)), plain) < 2e-5);

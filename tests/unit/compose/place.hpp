@@ -1,23 +1,22 @@
 // The features of steps 02 to 04 on a renderer, with room for others beside them.
 #pragma once
 
-#include "01-transforms/functions.hpp"
-#include "02-blinn-phong/lit_surface.hpp"
-#include "02-blinn-phong/scenes.hpp"
-#include "03-shadow-mapping/scenes.hpp"
-#include "03-shadow-mapping/shadowed_surface.hpp"
-#include "04-point-shadows/lamp_cones.hpp"
-#include "04-point-shadows/point_shadowed_surface.hpp"
-#include "04-point-shadows/scenes.hpp"
-#include "04-point-shadows/studies.hpp"
+#include "01-transforms/given/functions.hpp"
+#include "02-blinn-phong/given/lit_surface.hpp"
+#include "02-blinn-phong/given/scenes.hpp"
+#include "03-shadow-mapping/given/scenes.hpp"
+#include "03-shadow-mapping/given/shadowed_surface.hpp"
+#include "04-point-shadows/given/lamp_cones.hpp"
+#include "04-point-shadows/given/point_shadowed_surface.hpp"
+#include "04-point-shadows/given/scenes.hpp"
+#include "04-point-shadows/given/studies.hpp"
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "gl/context.hpp"
+#include "render/feature_list.hpp"
 #include "render/renderer.hpp"
 
 namespace atelier::test {
-
-using Features = std::vector<std::unique_ptr<Feature>>;
 
 inline std::vector<SettingSpec> all_settings() {
   std::vector<SettingSpec> all = lit_surface_settings();
@@ -34,20 +33,15 @@ inline std::vector<SettingSpec> all_settings() {
   return all;
 }
 
-inline Features features_of(int step) {
-  Features list;
-  auto lit = std::make_unique<LitSurface>();
-  const DrawnLights& lights = lit->lights();
-  list.push_back(std::move(lit));
+inline FeatureList features_of(int step) {
+  FeatureList list;
   static const PointFrusta none;
-  if (step == 3) list.push_back(std::make_unique<ShadowedSurface>(lights, none));
+  const auto& lit = list.add<LitSurface>();
+  if (step == 3) list.add<ShadowedSurface>(lit.lights(), none);
   if (step == 4) {
-    auto cones = std::make_unique<LampCones>(lights);
-    auto maps = std::make_unique<ShadowedSurface>(lights, cones->frusta());
-    auto cubes = std::make_unique<PointShadowedSurface>(lights, maps->maps());
-    list.push_back(std::move(cones));
-    list.push_back(std::move(maps));
-    list.push_back(std::move(cubes));
+    const auto& cones = list.add<LampCones>(lit.lights());
+    const auto& maps = list.add<ShadowedSurface>(lit.lights(), cones.frusta());
+    list.add<PointShadowedSurface>(lit.lights(), maps.maps());
   }
   return list;
 }
@@ -66,11 +60,11 @@ struct Place {
     settings = Settings(std::move(more));
   }
   /// Takes these features from now on.
-  void open(Features features) {
+  void open(FeatureList features) {
     const std::filesystem::path root = ATELIER_SOURCE_DIR;
     renderer = std::make_unique<Renderer>(
         context->gl(), Implementations({{folder.path(), ""}, {root / "solutions", ""}, {root / "steps", ""}}),
-        transform_functions(), std::move(features));
+        transform_functions(), features.take());
     renderer->configure(settings);
   }
   Image draw(const Scene& scene, const char* output = "colour") {

@@ -17,14 +17,7 @@ constexpr float frame_seconds = 1 / 60.0f;
 /// Dear ImGui without a display, over a viewer whose program has one setting of its own.
 class Panel {
  public:
-  explicit Panel(const SettingSpec& setting)
-      : step_(
-            {.name = "00-one",
-             .title = "One setting",
-             .scenes = {"box"},
-             .settings = {setting},
-             .outputs = {{"colour", Encoding::linear, ""}}},
-            test::fake_transforms(), [] { return std::vector<std::unique_ptr<Feature>>(); }, test::fake_scene) {
+  explicit Panel(const SettingSpec& setting) : step_(test::bare_step({setting})) {
     viewer_.emplace(step_, context_->gl(), Implementations({{folder_.path(), ""}}), CommandLine{});
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();

@@ -1,0 +1,15 @@
+cmake_minimum_required(VERSION 3.25)
+# cmake -DSTEP=NN-name -DUSES=01-transforms;... -DSTEPS=DIR -DSTAMP=FILE -P check_uses.cmake
+# Fails where a given file of STEP includes a file of a step that its USES does not list.
+file(GLOB sources ${STEPS}/${STEP}/given/*)
+foreach(source IN LISTS sources)
+  file(STRINGS ${source} includes REGEX "^[ \t]*#[ \t]*include[ \t]*\"[0-9][0-9]-")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^[^\"]*\"([^/\"]*)/.*$" "\\1" step "${line}")
+    if(NOT step STREQUAL STEP AND NOT step IN_LIST USES)
+      file(RELATIVE_PATH file ${STEPS}/.. ${source})
+      message(FATAL_ERROR "${file} includes a file of ${step}: add ${step} to USES in steps/${STEP}/given/step.cmake")
+    endif()
+  endforeach()
+endforeach()
+file(WRITE ${STAMP} "")

@@ -1,0 +1,3 @@
+atelier_step(00-hello
+  TITLE "Hello, triangle"
+  FILES hello.glsl)

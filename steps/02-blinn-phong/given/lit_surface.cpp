@@ -1,0 +1,245 @@
+#include "02-blinn-phong/given/lit_surface.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "02-blinn-phong/blinn_phong.hpp"
+#include "app/frame_settings.hpp"
+#include "gl/compact_texture.hpp"
+#include "gl/debug.hpp"
+#include "image/colour.hpp"
+#include "scene/light_reach.hpp"
+
+namespace atelier {
+
+namespace {
+
+bool has_specular(const Material& material) {
+  return material.specular != glm::vec3(0);
+}
+
+/// The height of a highlight's lobe, by the setting specular.normalisation: 1, or the factors of the contract.
+double peak(int normalisation, double n) {
+  if (normalisation == 1) return (n + 8) / 8;
+  if (normalisation == 2) return (n + 2) * (n + 4) / (8 * (std::exp2(-n / 2) + n));
+  return 1;
+}
+
+/// A picture as an 8-bit file holds it: encoded to sRGB, a 255th a step. What the student's srgb_decode then undoes.
+Image encoded(Image image) {
+  const auto stored = [](float linear) { return float(srgb_code(linear)) / 255; };
+  for (Rgba& p : image.pixels()) p = {stored(p.r), stored(p.g), stored(p.b), p.a};
+  return image;
+}
+
+/// What encoded() stored, decoded by the student's function. There are 256 codes only: it is asked once for each.
+Image decoded(Image image) {
+  std::array<float, 256> linear{};
+  for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = blinn_phong::srgb_decode(float(code) / 255);
+  const auto of = [&](float stored) { return linear[std::size_t(stored * 255 + 0.5f)]; };
+  for (Rgba& p : image.pixels()) p = {of(p.r), of(p.g), of(p.b), p.a};
+  return image;
+}
+
+Filter chosen_filter(const std::string& choice, Filter of_scene) {
+  return choice == "nearest"  ? Filter::nearest
+         : choice == "linear" ? Filter::linear
+         : choice == "mipmap" ? Filter::mipmap
+                              : of_scene;
+}
+
+}  // namespace
+
+SettingSpec shading_setting() {
+  return {.name = "shading",
+          .fallback = std::string("pixel"),
+          .choices = {"pixel", "vertex"},
+          .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"};
+}
+
+std::vector<SettingSpec> lit_surface_settings() {
+  return {
+      {.name = "specular.normalisation",
+       .fallback = std::string("none"),
+       .choices = {"none", "n+8", "exact"},
+       .help = "the factor that keeps a highlight's energy when the exponent changes"},
+      {.name = "specular.power",
+       .fallback = std::string("direct"),
+       .choices = {"direct", "stable", "table"},
+       .help = "how the cosine is raised to the exponent"},
+      {.name = "specular.table_size", .fallback = 256, .low = 2, .high = 4096, .help = "entries of the power table"},
+      {.name = "light.count",
+       .fallback = 64,
+       .low = 0,
+       .high = 64,
+       .help = "how many of the scene's lights shine, in their order"},
+      {.name = "light.cull",
+       .fallback = true,
+       .help = "leave out lights that all together are too weak to change a pixel by one code of 255"},
+      {.name = "texture.filter",
+       .fallback = std::string("scene"),
+       .choices = {"scene", "nearest", "linear", "mipmap"},
+       .help = "how texels become a colour; scene: as each texture says"},
+      {.name = "texture.decode",
+       .fallback = std::string("before"),
+       .choices = {"before", "after"},
+       .help = "when texels are decoded from sRGB: before filtering (right), or after it (cheaper to store)"},
+      texture_format_setting(),
+  };
+}
+
+void LitSurface::configure(const Settings& settings) {
+  // Shadows are looked up for every pixel: programs that have them leave the choice out.
+  per_vertex_ = settings.has("shading") && settings.choice("shading") == "vertex";
+  const std::string& normalisation = settings.choice("specular.normalisation");
+  normalisation_ = normalisation == "n+8" ? 1 : normalisation == "exact" ? 2 : 0;
+  const std::string& power = settings.choice("specular.power");
+  power_ = power == "stable" ? Power::stable : power == "table" ? Power::table : Power::direct;
+  table_size_ = settings.integer("specular.table_size");
+  light_limit_ = settings.integer("light.count");
+  cull_lights_ = settings.flag("light.cull");
+  filter_ = settings.choice("texture.filter");
+  decode_after_filter_ = settings.choice("texture.decode") == "after";
+  compact_textures_ = settings.choice("texture.format") == "8";
+}
+
+/// Sorts the lights that shine into those of each type. What can be left out is decided once a scene, for every place
+/// from which it may be seen.
+void LitSurface::choose_lights(const Scene& scene) {
+  const auto shining = std::min(lights_.all.size(), std::size_t(light_limit_));
+  const std::vector<Light> lights(lights_.all.begin(), lights_.all.begin() + std::ptrdiff_t(shining));
+  std::vector<int> kept(shining);
+  std::iota(kept.begin(), kept.end(), 0);
+  if (cull_lights_) {
+    const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
+    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene));
+  }
+  for (auto* list : {&lights_.points, &lights_.spots, &lights_.directional}) list->clear();
+  for (const int i : kept) {
+    const LightType type = lights[std::size_t(i)].type;
+    (type == LightType::point  ? lights_.points
+     : type == LightType::spot ? lights_.spots
+                               : lights_.directional)
+        .push_back(i);
+  }
+  lights_left_out_ = int(shining - kept.size());
+}
+
+void LitSurface::count(SceneCounts& counts) const {
+  counts.lights += std::int64_t(lights_.points.size() + lights_.spots.size() + lights_.directional.size());
+  counts.lights_culled += lights_left_out_;
+}
+
+void LitSurface::prepare(Gl& gl, const Scene& scene) {
+  gl_ = &gl;
+  choose_lights(scene);
+  power_tables_.clear();
+  textures_.clear();
+  textures_.resize(scene.textures.size());
+  for (const Material& material : scene.materials)
+    for (const TextureIndex& index : {material.diffuse_texture, material.specular_texture}) {
+      if (!index || textures_[std::size_t(*index)]) continue;
+      const Texture& texture = scene.textures[std::size_t(*index)];
+      const Image stored = encoded(texture.pixels);
+      const Image base = decode_after_filter_ ? stored : decoded(stored);
+      const Filter filter = chosen_filter(filter_, texture.filter);
+      const std::vector<Image> levels =
+          filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
+      textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
+      label(gl, GL_TEXTURE, textures_[std::size_t(*index)].id(), texture.name);
+      if (compact_textures_)
+        store_in_8_bits(gl, textures_[std::size_t(*index)].id(),
+                        decode_after_filter_ ? Encoding::srgb : Encoding::linear);
+    }
+  // Here and not when first drawn with: a texture that is made takes the place of one that is bound already.
+  if (power_ == Power::table)
+    for (const Material& material : scene.materials)
+      if (has_specular(material)) power_table_for(material.exponent);
+}
+
+Need LitSurface::need(const Scene& scene, const View& view, const Node& node) const {
+  const Material& material = scene.materials[std::size_t(node.material)];
+  Need need{.wanted = true};
+  Defines& d = need.structure;
+  d["POINT_LIGHTS"] = std::to_string(lights_.points.size());
+  d["SPOT_LIGHTS"] = std::to_string(lights_.spots.size());
+  d["DIRECTIONAL_LIGHTS"] = std::to_string(lights_.directional.size());
+  if (has_specular(material)) {
+    d["SPECULAR"] = "1";
+    d["NORMALISATION"] = std::to_string(normalisation_);
+    d["POWER"] = std::to_string(int(power_));
+    if (material.specular_texture) d["SPECULAR_MAP"] = "1";
+  }
+  if (material.diffuse_texture) d["DIFFUSE_MAP"] = "1";
+  if (material.emission != glm::vec3(0)) d["EMISSION"] = "1";
+  if (decode_after_filter_ && (material.diffuse_texture || material.specular_texture)) d["DECODE_AFTER_FILTER"] = "1";
+  if (per_vertex_ && view.output == "colour") d["PER_VERTEX"] = "1";
+  return need;
+}
+
+std::map<Slot, SlotCode> LitSurface::slots() const {
+  return {{Slot::shade, {"02-blinn-phong/given/surface_lighting.glsl", "shade_surface"}}};
+}
+
+std::map<std::string, std::string> LitSurface::outputs() const {
+  return {{"diffuse", "shade_diffuse_only(surface)"},
+          {"specular", "shade_specular_only(surface)"},
+          {"encoded", "srgb_encode(shaded)"}};
+}
+
+void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
+  binder.set("u_ambient", scene.ambient);
+  const auto place = [&](const Light& light) { return glm::vec3(light.position - viewpoint.origin); };
+  for (std::size_t i = 0; i < lights_.points.size(); ++i) {
+    const Light& light = lights_.light(lights_.points[i]);
+    const std::string name = fmt::format("u_point_lights[{}].", i);
+    binder.set(name + "position", place(light));
+    binder.set(name + "colour", light.colour);
+    binder.set(name + "attenuation", light.attenuation);
+  }
+  for (std::size_t i = 0; i < lights_.spots.size(); ++i) {
+    const Light& light = lights_.light(lights_.spots[i]);
+    const std::string name = fmt::format("u_spot_lights[{}].", i);
+    binder.set(name + "position", place(light));
+    binder.set(name + "direction", glm::normalize(light.direction));
+    binder.set(name + "colour", light.colour);
+    binder.set(name + "attenuation", light.attenuation);
+    binder.set(name + "cosines", blinn_phong::cone_cosines(light.inner_angle, light.outer_angle));
+  }
+  for (std::size_t i = 0; i < lights_.directional.size(); ++i) {
+    const Light& light = lights_.light(lights_.directional[i]);
+    const std::string name = fmt::format("u_directional_lights[{}].", i);
+    binder.set(name + "direction", glm::normalize(light.direction));
+    binder.set(name + "colour", light.colour);
+  }
+}
+
+GLuint LitSurface::power_table_for(float exponent) {
+  auto found = power_tables_.find(exponent);
+  if (found == power_tables_.end()) {
+    Image row(table_size_, 1);
+    const std::vector<float> table = blinn_phong::power_table(exponent, table_size_);
+    for (int i = 0; i < table_size_; ++i) row.at(i, 0).r = table[std::size_t(i)];
+    const GLuint texture = blinn_phong::upload_texture(*gl_, std::span(&row, 1), Wrap::clamp_to_edge, Filter::linear);
+    label(*gl_, GL_TEXTURE, texture, fmt::format("power table of {}", exponent));
+    found = power_tables_.emplace(exponent, GlTexture(*gl_, texture)).first;
+  }
+  return found->second.id();
+}
+
+void LitSurface::bind_material(Binder& binder, const Scene&, const Material& material) {
+  binder.set("u_diffuse", material.diffuse);
+  binder.set("u_emission", material.emission);
+  if (material.diffuse_texture) binder.texture("u_diffuse_map", textures_[std::size_t(*material.diffuse_texture)].id());
+  if (!has_specular(material)) return;
+  binder.set("u_specular", material.specular);
+  binder.set("u_exponent", material.exponent);
+  if (material.specular_texture)
+    binder.texture("u_specular_map", textures_[std::size_t(*material.specular_texture)].id());
+  if (power_ == Power::table) binder.texture("u_power_table", power_table_for(material.exponent));
+}
+
+}  // namespace atelier

@@ -1,0 +1,66 @@
+#include "03-shadow-mapping/given/map_picture.hpp"
+
+#include <array>
+
+#include "gl/state.hpp"
+
+namespace atelier {
+
+namespace {
+
+/// Makes the bound texture one that is read as it is stored, for as long as this lives.
+class ReadAsStored {
+ public:
+  ReadAsStored(Gl& gl, GLenum kind) : gl_(gl), kind_(kind) {
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      gl.GetTexParameteriv(kind, names[i], &before_[i]);
+      gl.TexParameteri(kind, names[i], names[i] == GL_TEXTURE_COMPARE_MODE ? GL_NONE : GL_NEAREST);
+    }
+  }
+  ~ReadAsStored() {
+    for (std::size_t i = 0; i < names.size(); ++i) gl_.TexParameteri(kind_, names[i], before_[i]);
+  }
+  ReadAsStored(const ReadAsStored&) = delete;
+  ReadAsStored& operator=(const ReadAsStored&) = delete;
+
+ private:
+  static constexpr std::array<GLenum, 3> names{GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER};
+  Gl& gl_;
+  GLenum kind_;
+  std::array<GLint, names.size()> before_{};
+};
+
+}  // namespace
+
+void MapPicture::draw(Gl& gl, const Target& target, GLuint texture, const std::function<void(Uniforms&)>& bind) {
+  if (!program_) {
+    const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
+    const auto stage = [&](const std::string& text) {
+      return assemble_shader_text(no_includes, text, "shadow map", {});
+    };
+    // One triangle that covers everything.
+    program_ = build_program(
+        gl,
+        stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
+        stage(fragment_));
+  }
+  reset_state(gl);
+  target.bind(gl);
+  gl.UseProgram(program_.id());
+  Uniforms uniforms(gl, program_.id());
+  gl.ActiveTexture(GL_TEXTURE0);
+  gl.BindTexture(kind_, texture);
+  uniforms.set("u_map", 0);
+  uniforms.set("u_size", glm::vec2(target.spec().width, target.spec().height));
+  if (bind) bind(uniforms);
+  {
+    const ReadAsStored stored(gl, kind_);
+    const GlVertexArray none(gl);
+    gl.BindVertexArray(none.id());
+    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    gl.BindVertexArray(0);
+  }
+  gl.BindTexture(kind_, 0);
+}
+
+}  // namespace atelier

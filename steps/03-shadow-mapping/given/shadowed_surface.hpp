@@ -1,0 +1,104 @@
+// Shadow maps, as a feature of the renderer: which lights get one, what it is fitted to, and when it is drawn. Given.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "02-blinn-phong/given/lit_surface.hpp"
+#include "03-shadow-mapping/given/map_picture.hpp"
+#include "03-shadow-mapping/given/shadow_fit.hpp"
+#include "03-shadow-mapping/given/shadow_settings.hpp"
+#include "03-shadow-mapping/shadow_mapping.hpp"
+#include "render/feature.hpp"
+
+namespace atelier {
+
+/// The numbers of these lights (of a map, of a cube) as the shader lists them: "0, -1, 1".
+std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
+
+/// "shadow map of light 0 (sun)": for the parts of a frame.
+std::string name_of(const DrawnLights& lights, int light, std::string_view what);
+
+/// The frusta into which all casters around a point light fit, by the light's number: one map then serves it.
+using PointFrusta = std::map<int, shadow_mapping::LightFrustum>;
+
+/// A light with a map.
+struct MappedLight {
+  int light = 0;  ///< its number in DrawnLights::all
+  shadow_mapping::LightFrustum frustum;
+  glm::mat4 view{1.0f}, projection{1.0f};
+  glm::mat4 world_to_map() const { return shadow_mapping::bias_matrix() * projection * view; }
+  std::vector<int> casters;  ///< items of the painter that stand in it
+  bool drawn = false;        ///< whether the layer holds what these casters look like from there
+};
+
+/// The maps of a frame, for features beside this one to read.
+struct FrameMaps {
+  std::vector<MappedLight> maps;  ///< layer by layer
+  /// What maps are looked up for in this frame, where that bounds what must be drawn of them: where they are drawn for
+  /// every frame, by filters whose reach is known. None where all of a map may matter.
+  std::optional<Pieces> looked_up;
+  int layer_of(int light) const;  ///< -1: it has no map
+};
+
+class ShadowedSurface : public Feature {
+ public:
+  /// `lights` says which lights shine, `points` which point lights a map can serve; both must outlive this.
+  ShadowedSurface(const DrawnLights& lights, const PointFrusta& points);
+
+  void configure(const Settings& settings) override;
+  void prepare(Gl& gl, const Scene& scene) override;
+  void moved(const Scene& scene) override;
+  void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  bool draw_instead(Gl& gl, const View& view, const Target& target) override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  std::map<std::string, std::string> outputs() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+  void count(SceneCounts& counts) const override;
+
+  const FrameMaps& maps() const { return frame_; }  ///< as long as this object; of the view that was drawn last
+
+ private:
+  struct Extents;
+  void find_maps(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter);
+  std::optional<MappedLight> map_for(const Scene& scene, int light, const Viewpoint& viewpoint,
+                                     const ScenePainter& painter, const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> frustum_of(int light, const glm::vec3& position,
+                                                         const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> fit_to_spot(const Light& light, const glm::vec3& position,
+                                                          const Extents& extents) const;
+  shadow_mapping::Sphere covered(const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
+  void make_room(Gl& gl);
+  void draw_map(Gl& gl, int layer, ScenePainter& painter);
+  glm::ivec4 texels_looked_up(const MappedLight& map) const;
+  bool parallel_light_stays_parallel() const;
+  bool has_room() const { return texture_ && framebuffer_; }  ///< false where make_shadow_maps is not written yet
+  Defines structure() const;
+
+  const DrawnLights& lights_;
+  const PointFrusta& points_;
+  ShadowSettings settings_;
+
+  FrameMaps frame_;
+  bool shown_ = false;  ///< whether shaders of the last frame read the maps
+  bool found_ = false;  ///< whether the maps are right for scene and settings
+  Defines structure_;   ///< of surfaces that receive shadows, in the last frame
+  shadow_mapping::ShadowMaps names_;
+  GlTexture texture_;
+  GlFramebuffer framebuffer_;
+  struct Room {
+    int resolution = 0, layers = 0;
+    GLenum format = 0;
+    bool compare = false;
+    bool operator==(const Room&) const = default;
+  } room_;  ///< what `texture_` was made as
+  MapPicture showing_;
+};
+
+}  // namespace atelier

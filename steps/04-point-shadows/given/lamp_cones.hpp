@@ -1,0 +1,28 @@
+// Lamps whose casters fit a cone: one map of step 03 serves them in place of a cube. Given.
+#pragma once
+
+#include "03-shadow-mapping/given/shadowed_surface.hpp"
+
+namespace atelier {
+
+/// Finds the cones. Stands before ShadowedSurface among a renderer's features, which draws their maps.
+class LampCones : public Feature {
+ public:
+  explicit LampCones(const DrawnLights& lights) : lights_(lights) {}  ///< which must outlive this
+
+  void configure(const Settings& settings) override;
+  void prepare(Gl&, const Scene& scene) override { moved(scene); }
+  void moved(const Scene&) override { found_ = false; }
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  Need need(const Scene&, const View&, const Node&) const override { return {}; }
+
+  const PointFrusta& frusta() const { return frusta_; }  ///< as long as this object
+
+ private:
+  const DrawnLights& lights_;
+  bool wanted_ = true, keep_ = true;
+  bool found_ = false;  ///< whether frusta_ is right for scene and settings
+  PointFrusta frusta_;
+};
+
+}  // namespace atelier

@@ -1,0 +1,76 @@
+// Cubes of shadow maps, as a feature of the renderer, beside step 03's maps: which lamps get one, and when it is drawn.
+// Given.
+#pragma once
+
+#include "03-shadow-mapping/given/shadowed_surface.hpp"
+#include "04-point-shadows/point_shadows.hpp"
+
+namespace atelier {
+
+/// The settings of this step that belong to cubes. Format, filter, bias and update are step 03's settings.
+std::vector<SettingSpec> cube_settings();
+
+class PointShadowedSurface : public Feature {
+ public:
+  /// `lights` says which lights shine, `maps` which of them have a map already; both must outlive this. Stands behind
+  /// ShadowedSurface among a renderer's features.
+  PointShadowedSurface(const DrawnLights& lights, const FrameMaps& maps);
+
+  void configure(const Settings& settings) override;
+  void prepare(Gl&, const Scene& scene) override { moved(scene); }
+  void moved(const Scene& scene) override;
+  void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
+  void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  bool draw_instead(Gl& gl, const View& view, const Target& target) override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  std::map<std::string, std::string> outputs() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+  void count(SceneCounts& counts) const override;
+
+ private:
+  static constexpr int most_cubes = 4;  ///< as cubes.glsl has it
+  /// A lamp with a cube.
+  struct Cubed {
+    int light = 0;             ///< index into Scene::lights
+    glm::vec3 position{0};     ///< in the space that shaders call world
+    float near = 0, far = 1;   ///< metres: of the faces' projections; far is what the stored distances are shares of
+    std::vector<int> casters;  ///< items of the painter that some face sees
+    std::array<std::vector<int>, 6> seen;  ///< of these, those that each face sees
+    bool drawn = false;
+  };
+  /// The objects of a cube, kept from frame to frame.
+  struct Room {
+    point_shadows::CubeMap names;
+    GlTexture texture;
+    GlFramebuffer framebuffer;
+    int edge = 0;  ///< what was asked for: `names` is what a student's function says
+    GLenum format = 0;
+    bool compare = false;
+    bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet
+  };
+
+  std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
+                                const ScenePainter& painter) const;
+  bool is_looked_up(const glm::mat4& face) const;
+  void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter);
+  bool make_room(Gl& gl, std::size_t cube);
+  void draw_cube(Gl& gl, std::size_t cube, ScenePainter& painter);
+  int cube_of(int light) const;
+  bool any_cube() const;
+  Defines structure() const;
+
+  const DrawnLights& lights_;
+  const FrameMaps& maps_;
+  ShadowSettings settings_;  ///< of step 03: filter, bias, format and update
+  int edge_ = 512;           ///< texels
+  bool layered_ = true, every_face_ = false;
+  std::vector<Cubed> cubes_;
+  bool found_ = false;  ///< whether cubes_ is right for scene and settings
+  bool shown_ = false;  ///< whether shaders of the last frame read the cubes
+  Defines structure_;   ///< of surfaces that receive shadows, in the last frame
+  std::vector<Room> rooms_;
+  MapPicture showing_cube_;  ///< six faces side by side
+};
+
+}  // namespace atelier
