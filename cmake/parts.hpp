@@ -19,6 +19,6 @@
 #include <string_view>
 #include <vector>
 
-// JSON's classes are compiled once, in common/case/json_classes.cpp, and not anew in each file that uses them.
+// JSON's classes are compiled once, in common/base/json_classes.cpp, and not anew in each file that uses them.
 extern template class nlohmann::basic_json<>;
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
 #include "scene/builtin.hpp"
 
 namespace atelier {

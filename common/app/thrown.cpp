@@ -9,7 +9,7 @@
 #include <memory>
 #include <typeinfo>
 
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier {
 

@@ -1,5 +1,5 @@
 // Starting a child process: what everything that runs another program has in common. base/process.hpp waits for one to
-// end; judge/worker.hpp listens to one while it runs.
+// end; judge/run/worker.hpp listens to one while it runs.
 #pragma once
 
 #include <sys/types.h>

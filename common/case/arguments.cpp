@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/near_names.hpp"
 #include "case/case.hpp"
-#include "case/suggest.hpp"
 
 namespace atelier {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "case/printable.hpp"
+#include "base/near_names.hpp"
+#include "base/printable.hpp"
+#include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
-#include "case/strict_json.hpp"
-#include "case/suggest.hpp"
 
 namespace atelier {
 namespace {

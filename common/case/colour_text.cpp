@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "case/parse_number.hpp"
+#include "base/parse_number.hpp"
 #include "image/colour.hpp"
 
 namespace atelier {

@@ -15,8 +15,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "case/printable.hpp"
-#include "case/strict_json.hpp"
+#include "base/printable.hpp"
+#include "base/strict_json.hpp"
 
 namespace atelier {
 namespace {

@@ -37,7 +37,7 @@ std::vector<Numbers> read_values(const std::filesystem::path& file, std::size_t 
 /// Error.
 std::map<std::string, std::int64_t> read_counts(const std::filesystem::path& file);
 
-/// The first line, at most 500 bytes, printable (case/printable.hpp). Empty where there is no such file; where it
+/// The first line, at most 500 bytes, printable (base/printable.hpp). Empty where there is no such file; where it
 /// cannot be read as a regular file, the sentence says so. Never throws Error: what is read is an error already.
 std::string read_case_error(const std::filesystem::path& file);
 

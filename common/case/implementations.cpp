@@ -6,14 +6,15 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// "DIR", "NN-name=DIR", "NN-name/file=DIR" or "NN-name/folder=DIR"; a folder that has '=' in its own name needs one of them in front of it.
+/// "DIR", "NN-name=DIR", "NN-name/file=DIR" or "NN-name/folder=DIR"; a folder that has '=' in its own name needs one of
+/// them in front of it.
 Implementations::Root parse_root(const std::string& text) {
   const std::size_t equals = text.find('=');
   Implementations::Root root;

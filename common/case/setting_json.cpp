@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "case/strict_json.hpp"
+#include "base/strict_json.hpp"
 
 namespace atelier {
 namespace {

@@ -6,9 +6,9 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "case/parse_number.hpp"
-#include "case/printable.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
+#include "base/parse_number.hpp"
+#include "base/printable.hpp"
 
 namespace atelier {
 namespace {

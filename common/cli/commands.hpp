@@ -71,7 +71,7 @@ int run_compare(const CompareOptions& options);
 
 struct DoctorOptions {
   bool json = false;
-  std::string found;    ///< what the launcher has found out (cli/doctor.hpp: parse_findings)
+  std::string found;    ///< what the launcher has found out (cli/student/doctor.hpp: parse_findings)
   std::string install;  ///< the system's command for installing packages; empty: unknown
   std::string context;  ///< only make this context and tell of it: how doctor tries one in a program of its own
 };

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "case/strict_json.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
+#include "base/strict_json.hpp"
 
 namespace atelier {
 namespace {

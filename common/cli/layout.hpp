@@ -33,7 +33,7 @@ struct ProjectFolders {
   std::filesystem::path variants() const { return root / "tests" / "variants"; }
   std::filesystem::path handouts() const { return root / "handouts"; }
   std::filesystem::path out() const { return own() / "out"; }
-  std::filesystem::path progress() const { return own() / "progress.json"; }  ///< see cli/progress_record.hpp
+  std::filesystem::path progress() const { return own() / "progress.json"; }  ///< see cli/student/progress_record.hpp
   /// Of a release alone: the skeletons that it brings, and those that were given to the student (skeleton_update.hpp).
   std::filesystem::path skeletons() const { return root / "skeletons"; }
   std::filesystem::path given() const { return own() / ".given"; }

@@ -11,10 +11,10 @@
 #include <functional>
 
 #include "base/error.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
-#include "cli/skeleton_update.hpp"
+#include "cli/student/skeleton_update.hpp"
 
 namespace atelier {
 namespace {

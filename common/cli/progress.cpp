@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "case/printable.hpp"
-#include "judge/report_terminal.hpp"
-#include "judge/report_words.hpp"
+#include "base/printable.hpp"
+#include "judge/report/report_terminal.hpp"
+#include "judge/report/report_words.hpp"
 
 namespace atelier {
 

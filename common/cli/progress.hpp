@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "judge/result.hpp"
+#include "judge/compare/result.hpp"
 
 namespace atelier {
 

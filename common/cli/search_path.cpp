@@ -7,7 +7,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
-#include "cli/standing.hpp"
+#include "cli/student/standing.hpp"
 
 namespace atelier {
 namespace {

@@ -26,7 +26,8 @@ using Owners = std::map<std::string, Owner>;
 
 /// Who stands behind each step that `step` uses: `asked` ("mine" or "solution") where it is there. With an empty
 /// `asked`: the student where the last full `check` of that step passed every case with the very files that are there
-/// now (cli/progress_record.hpp), the solution otherwise, so that nobody is stuck. Throws Error for another word.
+/// now (cli/student/progress_record.hpp), the solution otherwise, so that nobody is stuck. Throws Error for another
+/// word.
 Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                      const std::string& asked);
 

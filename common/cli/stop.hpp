@@ -1,5 +1,5 @@
 // Ctrl-C while the programs of somebody's step run: they are ended, and what was written for them is taken away, before
-// this program ends. `watch` has the keyboard for it (cli/keyboard.hpp).
+// this program ends. `watch` has the keyboard for it (cli/student/keyboard.hpp).
 #pragma once
 
 #include <signal.h>

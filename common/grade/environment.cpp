@@ -10,11 +10,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/launch.hpp"
+#include "base/printable.hpp"
 #include "base/process.hpp"
-#include "case/printable.hpp"
-#include "case/strict_json.hpp"
+#include "base/strict_json.hpp"
 #include "gl/context.hpp"
-#include "judge/runner.hpp"
+#include "judge/run/runner.hpp"
 
 namespace atelier::grade {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "judge/result.hpp"
+#include "judge/compare/result.hpp"
 
 namespace atelier::grade {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "case/suggest.hpp"
-#include "judge/ask.hpp"
+#include "base/near_names.hpp"
+#include "judge/run/ask.hpp"
 
 namespace atelier::grade {
 namespace {

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "judge/build.hpp"
-#include "judge/judged_case.hpp"
-#include "judge/references.hpp"
-#include "judge/result.hpp"
-#include "judge/runner.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/judged_case.hpp"
+#include "judge/compare/references.hpp"
+#include "judge/compare/result.hpp"
+#include "judge/compare/verdict.hpp"
+#include "judge/run/build.hpp"
+#include "judge/run/runner.hpp"
 
 namespace atelier::grade {
 

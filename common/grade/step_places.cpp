@@ -6,7 +6,7 @@
 #include <set>
 #include <system_error>
 
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier::grade {
 namespace {

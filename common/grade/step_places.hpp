@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/build.hpp"
+#include "judge/run/build.hpp"
 
 namespace atelier::grade {
 

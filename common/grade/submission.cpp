@@ -6,8 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "case/printable.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
+#include "base/printable.hpp"
 #include "grade/step_places.hpp"
 #include "grade/unzip.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/build.hpp"
+#include "judge/run/build.hpp"
 
 namespace atelier::grade {
 
@@ -25,9 +25,9 @@ struct Submission {
 inline constexpr std::size_t most_notes = 20;  ///< the last one then says how many more there are
 
 /// Takes a submission into `folder` (made where missing): each listed file of each step that can be taken
-/// (judge/source_file.hpp). The steps' folders stand in `source`, or in the one folder inside that has any. A step is
-/// present where its folder is there, or, in an archive, any of its listed files. Throws Error naming `source` where it
-/// is neither a folder nor a sound ZIP, or has none of the steps; it then says where some were found.
+/// (judge/run/source_file.hpp). The steps' folders stand in `source`, or in the one folder inside that has any. A step
+/// is present where its folder is there, or, in an archive, any of its listed files. Throws Error naming `source` where
+/// it is neither a folder nor a sound ZIP, or has none of the steps; it then says where some were found.
 Submission take_submission(const judge::StepFlags& flags, const std::filesystem::path& source,
                            const std::filesystem::path& folder);
 

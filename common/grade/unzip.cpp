@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier::grade {
 namespace {

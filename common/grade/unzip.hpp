@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "judge/source_file.hpp"
+#include "judge/run/source_file.hpp"
 
 namespace atelier::grade {
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "base/error.hpp"
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 
 namespace atelier::grade {
 namespace {

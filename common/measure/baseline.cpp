@@ -6,8 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
-#include "case/strict_json.hpp"
 #include "image/error.hpp"
 
 namespace atelier::measure {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <span>
 
-#include "judge/base64.hpp"
-#include "judge/report_assets.hpp"
-#include "judge/report_words.hpp"
+#include "base/base64.hpp"
+#include "judge/report/report_assets.hpp"
+#include "judge/report/report_words.hpp"
 #include "measure/charts.hpp"
 #include "measure/expect.hpp"
 
@@ -32,8 +32,7 @@ std::string figure(const Plot& plot) {
   return fmt::format(
       "<figure class=\"plot\"><img width=\"{}\" height=\"{}\" alt=\"{}\" "
       "src=\"data:image/svg+xml;base64,{}\"></figure>\n",
-      plot.width, plot.height, escape_markup(plot.title),
-      judge::base64(std::as_bytes(std::span(svg.data(), svg.size()))));
+      plot.width, plot.height, escape_markup(plot.title), base64(std::as_bytes(std::span(svg.data(), svg.size()))));
 }
 
 std::string figure(const std::optional<Plot>& plot) {

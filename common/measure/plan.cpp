@@ -9,9 +9,9 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/near_names.hpp"
+#include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
-#include "case/strict_json.hpp"
-#include "case/suggest.hpp"
 
 namespace atelier::measure {
 namespace {

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
 #include "measure/plan.hpp"
 
 namespace atelier::measure {

@@ -6,12 +6,12 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "base/process.hpp"
+#include "base/strict_json.hpp"
 #include "case/exchange.hpp"
-#include "case/printable.hpp"
 #include "case/setting_json.hpp"
-#include "case/strict_json.hpp"
-#include "judge/runner.hpp"
+#include "judge/run/runner.hpp"
 
 namespace atelier::measure {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "catch.hpp"
-#include "cli/workshop.hpp"
+#include "cli/author/workshop.hpp"
 #include "command.hpp"
 #include "grade/environment.hpp"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "catch.hpp"
-#include "cli/workshop.hpp"
+#include "cli/author/workshop.hpp"
 #include "command.hpp"
 
 using namespace atelier;

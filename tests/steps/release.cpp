@@ -3,10 +3,10 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "cli/marked_text.hpp"
-#include "cli/release_leaks.hpp"
+#include "cli/author/marked_text.hpp"
+#include "cli/grader/release_leaks.hpp"
 #include "command.hpp"
-#include "judge/judged_case.hpp"
+#include "judge/compare/judged_case.hpp"
 
 using namespace atelier;
 using namespace atelier::test;

@@ -3,7 +3,7 @@
 
 #include "catch.hpp"
 #include "command.hpp"
-#include "judge/judged_case.hpp"
+#include "judge/compare/judged_case.hpp"
 
 using namespace atelier;
 using namespace atelier::test;

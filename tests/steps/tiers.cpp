@@ -5,10 +5,10 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "cli/function_text.hpp"
-#include "cli/marked_text.hpp"
+#include "cli/author/marked_text.hpp"
+#include "cli/student/function_text.hpp"
 #include "command.hpp"
-#include "judge/judged_case.hpp"
+#include "judge/compare/judged_case.hpp"
 
 using namespace atelier;
 using namespace atelier::test;

@@ -9,10 +9,10 @@
 #include "base/file.hpp"
 #include "case/exchange.hpp"
 #include "catch.hpp"
-#include "cli/workshop.hpp"
+#include "cli/author/workshop.hpp"
 #include "command.hpp"
 #include "image/compare.hpp"
-#include "judge/references.hpp"
+#include "judge/compare/references.hpp"
 
 using namespace atelier;
 using namespace atelier::test;

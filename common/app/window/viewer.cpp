@@ -11,7 +11,7 @@
 #include "app/frame_settings.hpp"
 #include "app/picture.hpp"
 #include "base/error.hpp"
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
 #include "gl/debug.hpp"
 
 namespace atelier {

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
-#include "case/strict_json.hpp"
 #include "catch.hpp"
 
 using namespace atelier;

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "base/file.hpp"
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 #include "catch.hpp"
 
 using namespace atelier;

@@ -1,4 +1,4 @@
-#include "judge/judged_case.hpp"
+#include "judge/compare/judged_case.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

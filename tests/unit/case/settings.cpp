@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "case/suggest.hpp"
+#include "base/near_names.hpp"
 #include "catch.hpp"
 
 using namespace atelier;

@@ -1,4 +1,4 @@
-#include "cli/doctor.hpp"
+#include "cli/student/doctor.hpp"
 
 #include <algorithm>
 #include <csignal>

@@ -1,4 +1,4 @@
-#include "cli/function_text.hpp"
+#include "cli/student/function_text.hpp"
 
 #include "catch.hpp"
 

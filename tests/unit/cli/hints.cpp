@@ -1,4 +1,4 @@
-#include "cli/hints.hpp"
+#include "cli/student/hints.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

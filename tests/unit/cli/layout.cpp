@@ -2,9 +2,9 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "cli/progress_record.hpp"
+#include "cli/author/skeleton_record.hpp"
 #include "cli/search_path.hpp"
-#include "cli/skeleton_record.hpp"
+#include "cli/student/progress_record.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;

@@ -1,4 +1,4 @@
-#include "cli/marked_text.hpp"
+#include "cli/author/marked_text.hpp"
 
 #include "catch.hpp"
 

@@ -1,5 +1,5 @@
 // What of a student's folder is handed in.
-#include "cli/own_files.hpp"
+#include "cli/student/own_files.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-#include "cli/progress_record.hpp"
+#include "cli/student/progress_record.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

@@ -1,11 +1,11 @@
 // What a release of a small project holds, and what not.
-#include "cli/release_contents.hpp"
+#include "cli/grader/release_contents.hpp"
 
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "catch.hpp"
-#include "cli/release_leaks.hpp"
-#include "cli/visible_cases.hpp"
+#include "cli/grader/release_leaks.hpp"
+#include "cli/grader/visible_cases.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;

@@ -1,4 +1,4 @@
-#include "cli/reset_file.hpp"
+#include "cli/student/reset_file.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

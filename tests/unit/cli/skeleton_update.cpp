@@ -1,12 +1,12 @@
 // A student's files under releases: given, replaced, merged, put beside, and never lost.
-#include "cli/skeleton_update.hpp"
+#include "cli/student/skeleton_update.hpp"
 
 #include <cstdlib>
 
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "catch.hpp"
-#include "cli/skeleton_record.hpp"
+#include "cli/author/skeleton_record.hpp"
 
 using namespace atelier;
 using atelier::test::mentions;

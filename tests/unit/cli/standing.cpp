@@ -1,8 +1,8 @@
-#include "cli/standing.hpp"
+#include "cli/student/standing.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "cli/handout.hpp"
+#include "cli/student/handout.hpp"
 
 using namespace atelier;
 using judge::Status;

@@ -1,4 +1,4 @@
-#include "cli/test_tally.hpp"
+#include "cli/author/test_tally.hpp"
 
 #include "catch.hpp"
 

@@ -1,13 +1,13 @@
 // Budget cases: what may be chosen, what was chosen, and what it earns.
-#include "judge/choice.hpp"
+#include "judge/compare/choice.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "catch.hpp"
-#include "judge/choices_file.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/verdict.hpp"
+#include "judge/run/choices_file.hpp"
 
 using namespace atelier;
 using namespace atelier::judge;

@@ -1,4 +1,4 @@
-#include "judge/credit.hpp"
+#include "judge/compare/credit.hpp"
 
 #include <cmath>
 

@@ -1,14 +1,14 @@
 // Whole-picture hypotheses: each operation is found on a picture that it was applied to, and no other picture is
 // explained.
-#include "judge/hypotheses.hpp"
+#include "judge/explain/hypotheses.hpp"
 
 #include <cmath>
 #include <numbers>
 
 #include "catch.hpp"
 #include "image/colour.hpp"
-#include "judge/measure.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/measure.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

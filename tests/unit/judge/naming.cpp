@@ -1,11 +1,11 @@
 // Names are proven where they were not made: on other cameras, other lights, and other spellings of the same mistake.
-#include "judge/naming.hpp"
+#include "judge/explain/naming.hpp"
 
 #include <algorithm>
 
 #include "catch.hpp"
-#include "judge/measure.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/measure.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

@@ -1,10 +1,10 @@
-#include "judge/probe.hpp"
+#include "judge/compare/probe.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "catch.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

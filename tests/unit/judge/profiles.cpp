@@ -1,7 +1,7 @@
 // What is right in another way must pass; what is wrong must not, however small its share of the picture is.
 #include "catch.hpp"
-#include "judge/measure.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/measure.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

@@ -1,18 +1,18 @@
 // References: made, refused, read back, and never trusted blindly.
-#include "judge/references.hpp"
+#include "judge/compare/references.hpp"
 
 #include <cmath>
 #include <fstream>
 #include <limits>
 
 #include "base/file.hpp"
+#include "base/sha256.hpp"
 #include "catch.hpp"
 #include "image_io/image_io.hpp"
-#include "judge/make_reference.hpp"
-#include "judge/measure.hpp"
-#include "judge/picture_cache.hpp"
-#include "judge/sha256.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/make_reference.hpp"
+#include "judge/compare/measure.hpp"
+#include "judge/compare/picture_cache.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

@@ -1,12 +1,12 @@
 // Masks and weighted regions: what they forgive, what they do not, and what they count.
-#include "judge/regions.hpp"
+#include "judge/compare/regions.hpp"
 
 #include <cmath>
 #include <limits>
 
 #include "catch.hpp"
-#include "judge/measure.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/measure.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

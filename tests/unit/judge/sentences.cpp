@@ -1,4 +1,4 @@
-#include "judge/sentences.hpp"
+#include "judge/explain/sentences.hpp"
 
 #include "catch.hpp"
 #include "synthetic.hpp"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "image/image.hpp"
-#include "judge/answer.hpp"
-#include "judge/judged_case.hpp"
+#include "judge/compare/answer.hpp"
+#include "judge/compare/judged_case.hpp"
 
 namespace atelier::judge::test {
 

@@ -1,5 +1,5 @@
 // Whole-value hypotheses: each operation is found on numbers that it was applied to, and nothing else is explained.
-#include "judge/value_hypotheses.hpp"
+#include "judge/explain/value_hypotheses.hpp"
 
 #include <cmath>
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "catch.hpp"
-#include "judge/verdict.hpp"
+#include "judge/compare/verdict.hpp"
 #include "synthetic.hpp"
 
 namespace atelier::judge::test {

@@ -1,5 +1,5 @@
 // Gate 0, what comes back when nothing came back, and what a result carries.
-#include "judge/verdict.hpp"
+#include "judge/compare/verdict.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,8 +1,8 @@
-#include "judge/report_html.hpp"
+#include "judge/report/report_html.hpp"
 
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 #include "catch.hpp"
-#include "judge/report_words.hpp"
+#include "judge/report/report_words.hpp"
 #include "sample.hpp"
 
 using namespace atelier;

@@ -3,12 +3,12 @@
 #include <set>
 
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "base/process.hpp"
-#include "case/printable.hpp"
-#include "case/strict_json.hpp"
+#include "base/strict_json.hpp"
 #include "catch.hpp"
-#include "judge/report_json.hpp"
-#include "judge/report_junit.hpp"
+#include "judge/report/report_json.hpp"
+#include "judge/report/report_junit.hpp"
 #include "sample.hpp"
 
 using namespace atelier;

@@ -1,4 +1,4 @@
-#include "judge/report_pictures.hpp"
+#include "judge/report/report_pictures.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "image_io/image_io.hpp"
-#include "judge/preview.hpp"
+#include "judge/report/preview.hpp"
 #include "sample.hpp"
 
 using namespace atelier;

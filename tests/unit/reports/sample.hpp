@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "judge/result.hpp"
+#include "judge/compare/result.hpp"
 
 namespace atelier::test {
 

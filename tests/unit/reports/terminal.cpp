@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <optional>
 
-#include "case/printable.hpp"
+#include "base/printable.hpp"
 #include "catch.hpp"
-#include "judge/report_terminal.hpp"
+#include "judge/report/report_terminal.hpp"
 #include "sample.hpp"
 
 using namespace atelier;

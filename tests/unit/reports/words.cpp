@@ -1,8 +1,8 @@
-#include "judge/report_words.hpp"
+#include "judge/report/report_words.hpp"
 
-#include "case/printable.hpp"
+#include "base/base64.hpp"
+#include "base/printable.hpp"
 #include "catch.hpp"
-#include "judge/base64.hpp"
 #include "sample.hpp"
 
 using namespace atelier;

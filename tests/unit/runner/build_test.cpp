@@ -1,5 +1,5 @@
 // Building a student's files: what comes out, what is refused, and what is not done twice.
-#include "judge/build.hpp"
+#include "judge/run/build.hpp"
 
 #include <dlfcn.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "catch.hpp"
-#include "judge/build_record.hpp"
+#include "judge/run/build_record.hpp"
 #include "words.hpp"
 
 using namespace atelier;

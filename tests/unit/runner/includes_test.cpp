@@ -1,5 +1,5 @@
 // Which includes are seen in a source text, and which are open to a step.
-#include "judge/includes.hpp"
+#include "judge/run/includes.hpp"
 
 #include "catch.hpp"
 #include "words.hpp"

@@ -1,5 +1,5 @@
 // Lists of mistakes and variants, and the patches that make them.
-#include "judge/mistakes.hpp"
+#include "judge/compare/mistakes.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

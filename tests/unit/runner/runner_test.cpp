@@ -1,5 +1,5 @@
 // The runner against a program that does everything wrong that a program can do.
-#include "judge/runner.hpp"
+#include "judge/run/runner.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

@@ -1,0 +1,86 @@
+// A step's frames beside those of a baseline: tests/cases/NN-name/baseline.json, where a step has one.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "cli/author/bench.hpp"
+#include "cli/search_path.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int frames = 15;  ///< in which a picture's time is taken, in each round
+
+}  // namespace
+
+std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats) {
+  const fs::path file = folders.baseline_file(step.name);
+  if (!fs::exists(file)) return {};
+  BaselineTable table{.plan = measure::read_baseline_plan(file)};
+  const fs::path program = folders.program(table.plan.program);
+  if (!fs::exists(program)) throw Error(fmt::format("{}: is missing: build the target 'baselines'", program.string()));
+  measure::Program ours{.file = folders.program(step.name)};
+  ours.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
+  ours.shader_cache = folders.build / "cache" / "measure-shaders";
+  measure::Program other = ours;
+  other.file = program;
+  table.compared = measure::compare_with_baseline(table.plan, ours, other, repeats, frames);
+  return table;
+}
+
+void print_baseline(const BaselineTable& table) {
+  const auto& plan = table.plan;
+  fmt::print("\n{} at {}x{}: frames beside those of {}, drawn by one thread\n", plan.scene, plan.size.x, plan.size.y,
+             plan.program);
+  fmt::print("{:<44} {:>10} {:>9} {:>15} {:>12} {:>13}  {}\n", "", "median", "faster", "from .. to", "colour rmse",
+             "wrong shadow", "aim");
+  const auto line = [](const measure::Compared& row, const std::string& range, const std::string& aim) {
+    fmt::print("{:<44} {:>7.2f} ms {:>8.2f}x {:>15} {:>12.5f} {:>11.4f} %  {}\n", row.name, row.seconds * 1e3,
+               row.ratio, range, row.rmse, row.wrong * 100, aim);
+  };
+  for (std::size_t b = 0; b < table.compared.baselines.size(); ++b) {
+    const measure::Compared& baseline = table.compared.baselines[b];
+    line(baseline, "-", "-");
+    for (std::size_t i = 0; i < plan.rows.size(); ++i) {
+      const measure::Compared& row = table.compared.rows[i];
+      if (row.against != b) continue;
+      const measure::BaselineRow& planned = plan.rows[i];
+      const std::string aim = planned.aim > 0 ? fmt::format("{:.2f}x{} {}", planned.aim,
+                                                            planned.no_larger_error ? " at no larger error" : "",
+                                                            measure::reaches_aim(planned, row, baseline) ? "✓" : "✗")
+                                              : "-";
+      line(row, fmt::format("{:.2f}..{:.2f}", row.least, row.most), aim);
+    }
+  }
+}
+
+namespace {
+
+nlohmann::ordered_json as_json(const measure::Compared& row) {
+  return {{"name", row.name}, {"seconds", row.seconds}, {"ratio", row.ratio}, {"least", row.least},
+          {"most", row.most}, {"rmse", row.rmse},       {"wrong", row.wrong}};
+}
+
+}  // namespace
+
+nlohmann::ordered_json baseline_as_json(const BaselineTable& table) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const measure::Compared& baseline : table.compared.baselines) list.push_back(as_json(baseline));
+  for (std::size_t i = 0; i < table.plan.rows.size(); ++i) {
+    const measure::Compared& row = table.compared.rows[i];
+    const measure::Compared& baseline = table.compared.baselines[row.against];
+    nlohmann::ordered_json json = as_json(row);
+    json["against"] = baseline.name;
+    if (table.plan.rows[i].aim > 0) {
+      json["aim"] = table.plan.rows[i].aim;
+      json["reached"] = measure::reaches_aim(table.plan.rows[i], row, baseline);
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+}  // namespace atelier

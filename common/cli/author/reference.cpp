@@ -1,0 +1,236 @@
+// ./atelier reference: what every answer is compared with, drawn by the solution.
+//
+// For each case the solution, the untouched skeleton and every known mistake answer. A case that could not tell one of
+// the mistakes that it claims to catch from the solution is refused; the other cases get their references.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/replace_together.hpp"
+#include "base/strict_json.hpp"
+#include "cli/author/workshop.hpp"
+#include "cli/commands.hpp"
+#include "grade/environment.hpp"
+#include "image_io/image_io.hpp"
+#include "judge/compare/make_reference.hpp"
+#include "judge/compare/mistakes.hpp"
+#include "judge/compare/sidecar.hpp"
+#include "judge/run/ask.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using judge::Answer;
+using judge::JudgedCase;
+
+struct ReferenceRow {
+  std::string step, name;
+  std::uintmax_t bytes = 0;            ///< of the reference itself
+  std::optional<std::string> nearest;  ///< the claimed mistake with the least margin
+  double margin = 0;                   ///< its margin in tolerances
+  std::string state;                   ///< "written", "as it was", "would change", "refused"
+  std::string trouble;                 ///< of a refused one: why
+};
+
+// --- What is drawn ---
+
+/// Every version's answers to the cases of a step, in the cases' order. All pictures at once: a few hundred megabytes.
+struct Drawn {
+  std::vector<Answer> solution, skeleton, truths;
+  std::map<std::string, std::vector<Answer>> mistakes;
+};
+
+std::vector<Answer> draw(const Workshop& workshop, const Version& version, const std::vector<JudgedCase>& cases) {
+  if (!version.built)
+    throw Error(fmt::format("{}: {} does not build: {}", workshop.step().name, version.name, version.log));
+  return workshop.answers(version, cases);
+}
+
+/// A mistake that ends the program in every case of a step is none that a picture can reject.
+void require_answer(const std::string& mistake, const std::vector<Answer>& answers) {
+  const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
+  if (!answers.empty() && std::none_of(answers.begin(), answers.end(), is_normal))
+    throw Error(fmt::format("mistake '{}' does not run: {}", mistake, answers.front().error));
+}
+
+Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
+               const std::vector<JudgedCase>& cases, bool whole_step) {
+  std::vector<std::vector<Answer>> answers(mistakes.size() + 2);
+  for_each_parallel(answers.size(), worker_threads(), [&](std::size_t i) {
+    const Version version = i == 0   ? workshop.solution()
+                            : i == 1 ? workshop.skeleton()
+                                     : workshop.patched("mistake-" + mistakes[i - 2].name, mistakes[i - 2].patch);
+    answers[i] = draw(workshop, version, cases);
+  });
+  Drawn drawn{.solution = std::move(answers[0]),
+              .skeleton = std::move(answers[1]),
+              .truths = judge::ask_truths(workshop.settings(workshop.solution()), cases),
+              .mistakes = {}};
+  for (std::size_t i = 0; i < mistakes.size(); ++i) {
+    if (whole_step) require_answer(mistakes[i].name, answers[i + 2]);
+    drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
+  }
+  return drawn;
+}
+
+judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, const judge::Environment& environment) {
+  judge::ReferenceMaterial material{
+      .solution = drawn.solution[index], .truth = drawn.truths[index], .skeleton = drawn.skeleton[index]};
+  for (const auto& [name, answers] : drawn.mistakes) material.mistakes[name] = answers[index];
+  for (const char* key : {"driver", "cpu"}) material.environment[key] = environment.at(key);
+  return material;
+}
+
+// --- What is there ---
+
+/// The files below `folder` that belong to a case, relative to it.
+std::set<fs::path> files_of(const fs::path& folder, const JudgedCase& c) {
+  std::set<fs::path> files;
+  const auto add = [&](const fs::path& file) {
+    if (fs::exists(file)) files.insert(file.lexically_relative(folder));
+  };
+  add(judge::values_path(folder, c.ask.name));
+  add(judge::wrong_values_path(folder, c.ask.name));
+  if (!c.references.empty()) {
+    add(folder / c.references.front().filename());
+    add(judge::sidecar_path(folder / c.references.front().filename()));
+  }
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder / "atlas", none))
+    if (entry.path().filename().string().starts_with(c.ask.name + "--") && entry.path().extension() != ".new")
+      add(entry.path());
+  return files;
+}
+
+/// Without what another machine writes otherwise though it draws the same: its name, and a digest of compressed bytes.
+strict_json::Json comparable(const fs::path& file) {
+  strict_json::Json json = strict_json::parse(read_file(file), file.string());
+  if (json.is_object()) json.erase("environment"), json.erase("sha256");
+  return json;
+}
+
+bool says_the_same(const fs::path& a, const fs::path& b) {
+  if (a.extension() == ".json") return comparable(a) == comparable(b);
+  return read_image(a, Encoding::data) == read_image(b, Encoding::data);
+}
+
+bool would_change(const fs::path& made, const fs::path& there, const JudgedCase& c) {
+  const std::set<fs::path> files = files_of(made, c);
+  if (files != files_of(there, c)) return true;
+  return !std::all_of(files.begin(), files.end(),
+                      [&](const fs::path& f) { return says_the_same(made / f, there / f); });
+}
+
+/// Puts the files that were made of a case in the place of those that are there, all or none.
+void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
+  const std::set<fs::path> files = files_of(made, c), old = files_of(there, c);
+  std::vector<Replacement> replacements;
+  for (const fs::path& file : files)
+    replacements.push_back({there / file, [source = made / file](const fs::path& beside) {
+                              fs::create_directories(beside.parent_path());
+                              fs::copy_file(source, beside, fs::copy_options::overwrite_existing);
+                            }});
+  try {
+    replace_together(replacements);
+    for (const fs::path& file : old)
+      if (!files.contains(file)) fs::remove(there / file);
+  } catch (const fs::filesystem_error& error) {
+    throw Error(error.what());
+  }
+}
+
+// --- One case, one step ---
+
+/// Makes the reference in a folder of its own, and moves it only where it says something new: a run that changes
+/// nothing leaves every byte, and so the repository, as it was.
+ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::ReferenceMaterial& material,
+                      bool check) {
+  ReferenceRow row{.name = c.ask.name};
+  const TemporaryFolder fresh("atelier-reference");
+  try {
+    const judge::MadeReference made = judge::make_reference(fresh.path(), c, material);
+    row.bytes = fs::file_size(made.written.front());
+    row.nearest = made.nearest;
+    row.margin = made.margin;
+    const bool changes = would_change(fresh.path(), folder, c);
+    row.state = !changes ? "as it was" : check ? "would change" : "written";
+    if (changes && !check) replace(fresh.path(), folder, c);
+  } catch (const Error& error) {
+    row.state = "refused";
+    row.trouble = error.what();
+  }
+  return row;
+}
+
+std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseStep& step,
+                                    const ReferenceOptions& options, const judge::Environment& environment) {
+  const grade::StepJudge judge(
+      {.cases = folders.case_file(step.name), .mistakes = folders.mistakes_file(step.name), .reference_cache = {}},
+      options.cases);
+  const fs::path mistakes_file = folders.mistakes_file(step.name);
+  const auto mistakes = fs::exists(mistakes_file) ? judge::read_mistakes(mistakes_file) : std::vector<judge::Mistake>{};
+  const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases(), options.cases.empty());
+
+  std::vector<ReferenceRow> rows(judge.cases().size());
+  for_each_parallel(rows.size(), worker_threads(), [&](std::size_t i) {
+    rows[i] =
+        make_one(folders.cases() / step.name, judge.cases()[i], material_of(drawn, i, environment), options.check);
+    rows[i].step = step.name;
+  });
+  return rows;
+}
+
+// --- What is said ---
+
+void print_table(const std::vector<ReferenceRow>& rows) {
+  fmt::print("{:<16} {:<32} {:>9}  {:<28} {:>8}  {}\n", "step", "case", "bytes", "nearest claimed mistake", "margin",
+             "state");
+  for (const ReferenceRow& row : rows) {
+    fmt::print("{:<16} {:<32} {:>9}  {:<28} {:>8}  {}\n", row.step, row.name, row.bytes, row.nearest.value_or("-"),
+               row.nearest ? fmt::format("{:.2f}", row.margin) : "-", row.state);
+    if (!row.trouble.empty()) fmt::print("{:<16}   ! {}\n", "", row.trouble);
+  }
+}
+
+void print_json(const std::vector<ReferenceRow>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const ReferenceRow& row : rows)
+    list.push_back({{"step", row.step},
+                    {"case", row.name},
+                    {"bytes", row.bytes},
+                    {"nearest", row.nearest ? nlohmann::ordered_json(*row.nearest) : nullptr},
+                    {"margin", row.margin},
+                    {"state", row.state},
+                    {"trouble", row.trouble}});
+  fmt::print("{}\n", nlohmann::ordered_json{{"references", list}}.dump(2));
+}
+
+}  // namespace
+
+int run_reference(const ReferenceOptions& options) {
+  const ProjectFolders folders = project_folders();
+  if (!options.cases.empty() && options.steps.size() != 1)
+    throw Error(
+        "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
+  const judge::Environment environment = grade::describe_environment("", folders.step_flags(), folders.root);
+  std::vector<ReferenceRow> rows;
+  for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {
+    const auto more = make_step(folders, step, options, environment);
+    rows.insert(rows.end(), more.begin(), more.end());
+  }
+  options.json ? print_json(rows) : print_table(rows);
+
+  const auto any = [&](const char* state) {
+    return std::any_of(rows.begin(), rows.end(), [&](const ReferenceRow& row) { return row.state == state; });
+  };
+  if (any("refused")) throw Error("some references were refused, and stay as they were: the table says why");
+  return any("would change") ? exit_failed : exit_ok;
+}
+
+}  // namespace atelier

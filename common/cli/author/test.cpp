@@ -1,0 +1,126 @@
+// ./atelier test: everything that must hold, in three tiers.
+//
+//   --quick   the unit tests, and the steps' solutions through the judge
+//   (usual)   all but what is labelled "long", and the unit tests once more under AddressSanitizer and UBSan
+//   --all     everything, and the unit tests in a build where every file is compiled by itself
+//
+// ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstring>
+#include <thread>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "cli/author/test_tally.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+
+extern char** environ;
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs a program on our own terminal, since these take minutes and somebody is watching. Returns its exit status, or
+/// 128 and the signal's number, as a shell does.
+int run_attached(std::vector<std::string> arguments) {
+  std::fflush(stdout);
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  // With signals as a fresh program expects them: what we ignore it would ignore, too.
+  sigset_t ours;
+  sigemptyset(&ours);
+  sigaddset(&ours, SIGPIPE);
+  posix_spawnattr_t fresh;
+  ::posix_spawnattr_init(&fresh);
+  ::posix_spawnattr_setsigdefault(&fresh, &ours);
+  ::posix_spawnattr_setflags(&fresh, POSIX_SPAWN_SETSIGDEF);
+  pid_t child = 0;
+  const int error = ::posix_spawnp(&child, pointers[0], nullptr, &fresh, pointers.data(), environ);
+  ::posix_spawnattr_destroy(&fresh);
+  if (error) throw Error(fmt::format("{} cannot be started: {}", arguments[0], std::strerror(error)));
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+std::string jobs() {
+  return std::to_string(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+/// Runs ctest in a build folder with `selection` (its -L and -LE options).
+Tally run_ctest(const fs::path& build, const std::vector<std::string>& selection) {
+  const fs::path junit = build / "tests.junit.xml";
+  std::error_code none;
+  fs::remove(junit, none);  // a report of yesterday must not be counted
+  std::vector<std::string> arguments = {"ctest", "--test-dir", build.string(), "--output-on-failure",
+                                        "--no-tests=error", "--parallel", jobs(), "--output-junit", junit.string(),
+                                        // Whole outputs, because their last lines are counted.
+                                        "--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"};
+  arguments.insert(arguments.end(), selection.begin(), selection.end());
+  const int status = run_attached(arguments);
+  Tally tally = fs::exists(junit) ? tally_of_junit(read_file(junit)) : Tally{};
+  if (status != 0 && tally.failed == 0) tally.failed = 1;  // ctest itself is not content
+  return tally;
+}
+
+/// Builds targets of one of CMakePresets.json's presets, in a build folder of its own, and runs the unit tests there.
+/// A build that fails is one failed test.
+Tally run_preset(const ProjectFolders& folders, const std::string& preset, const std::vector<std::string>& targets) {
+  const fs::path build = folders.root / "build" / preset;
+  const std::string source = folders.root.string();
+  if (!fs::exists(build / "build.ninja") &&
+      run_attached({"cmake", "-S", source, "--preset", preset, "-B", build.string()}) != 0)
+    return {.failed = 1};
+  std::vector<std::string> command = {"cmake", "--build", build.string(), "--target"};
+  command.insert(command.end(), targets.begin(), targets.end());
+  command.insert(command.end(), {"--", "--quiet"});
+  if (run_attached(command) != 0) return {.failed = 1};
+  return run_ctest(build, {"-L", "^unit$"});
+}
+
+std::vector<std::string> selection_of(TestOptions::Tier tier) {
+  switch (tier) {
+    case TestOptions::Tier::quick:
+      return {"-L", "^(unit|quick)$"};
+    case TestOptions::Tier::usual:
+      return {"-LE", "^long$"};
+    case TestOptions::Tier::all:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+int run_test(const TestOptions& options) {
+  const ProjectFolders folders = project_folders();
+  if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
+    throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
+  Tally tally = run_ctest(folders.build, selection_of(options.tier));
+  if (options.tier != TestOptions::Tier::quick) {
+    fmt::print("\nUnit tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n");
+    tally += run_preset(folders, "sanitize", {"unit_tests"});
+  }
+  if (options.tier == TestOptions::Tier::all) {
+    fmt::print("\nEvery file compiled by itself, unoptimised, and the unit tests so, in build/debug\n");
+    tally += run_preset(folders, "debug", {"all", "baselines"});
+  }
+
+  if (tally.skipped > 0)
+    fmt::print("\n{} passed, {} failed, {} skipped\n", tally.passed, tally.failed, tally.skipped);
+  else
+    fmt::print("\n{} passed, {} failed\n", tally.passed, tally.failed);
+  return tally.failed == 0 ? exit_ok : exit_failed;
+}
+
+}  // namespace atelier

@@ -1,0 +1,106 @@
+#include "cli/author/workshop.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "cli/author/marked_text.hpp"
+#include "judge/compare/mistakes.hpp"
+#include "judge/run/ask.hpp"
+
+namespace atelier {
+
+namespace fs = std::filesystem;
+
+Workshop::Workshop(const ProjectFolders& folders, const CourseStep& step)
+    : folders_(folders),
+      step_(step),
+      flags_(judge::read_step_flags(folders.step_flags())),
+      earlier_(choose_owners(folders, read_course(folders.step_flags()), step, "solution")),
+      root_(folders.build / "audit" / step.name) {}
+
+Version Workshop::make(const std::string& name, const std::function<void(const fs::path&)>& write) const {
+  Version version{
+      .name = name, .code = {root_ / name / "sources", root_ / name / "libraries"}, .built = false, .log = {}};
+  try {
+    fs::remove_all(version.code.sources);  // no file of an earlier version of this version may stay
+    write(version.code.sources / step_.name);
+    const judge::Built built =
+        judge::build_step(flags_, step_.name, version.code.sources / step_.name, version.code.libraries);
+    version.built = built.ok;
+    version.log = built.log;
+  } catch (const Error& error) {
+    version.log = error.what();
+  }
+  return version;
+}
+
+Version Workshop::solution() const {
+  return make("solution", [&](const fs::path& folder) {
+    judge::take_step_files(flags_, step_.name, folders_.solutions() / step_.name, folder);
+  });
+}
+
+Version Workshop::skeleton() const {
+  return make("skeleton", [&](const fs::path& folder) {
+    for (const std::string& file : step_.files) {
+      const std::string name = step_.name + "/" + file;
+      write_file(folder / file, cut_skeleton(read_file(folders_.solutions() / name), "solutions/" + name, step_.name));
+    }
+  });
+}
+
+Version Workshop::patched(const std::string& name, const fs::path& patch) const {
+  return make(name, [&](const fs::path& folder) {
+    fs::create_directories(folder.parent_path());
+    judge::make_patched(folders_.solutions() / step_.name, patch, folder);
+  });
+}
+
+judge::RunSettings Workshop::settings(const Version& version) const {
+  judge::RunSettings settings;
+  settings.program = folders_.program(step_.name);
+  settings.implementations = search_path(folders_, step_, version.code, earlier_);
+  settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
+  settings.workers = 1;
+  settings.most_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
+  settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is the project's own code
+  return settings;
+}
+
+std::vector<judge::Answer> Workshop::answers(const Version& version,
+                                             const std::vector<judge::JudgedCase>& cases) const {
+  return judge::ask_cases(settings(version), step_.name, cases);
+}
+
+void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        task(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (int i = 1; i < std::min<int>(threads, int(count)); ++i) others.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+int worker_threads() {
+  return std::max(1, int(std::thread::hardware_concurrency()));
+}
+
+}  // namespace atelier

@@ -1,0 +1,64 @@
+// Versions of a step's code that an author needs beside each other: the solution, the skeleton cut from it, every known
+// mistake and every variant. Each is built in a folder of its own below BUILD/audit, where what has not changed is
+// kept.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cli/layout.hpp"
+#include "cli/search_path.hpp"
+#include "grade/step_judge.hpp"
+#include "judge/compare/answer.hpp"
+#include "judge/run/build.hpp"
+
+namespace atelier {
+
+/// One version, built.
+struct Version {
+  std::string name;  ///< "mistake-rv-for-nh"
+  grade::Code code;
+  bool built = false;
+  std::string log;  ///< of the compiler, or why there is nothing to compile
+};
+
+class Workshop {
+ public:
+  Workshop(const ProjectFolders& folders, const CourseStep& step);
+
+  Version solution() const;
+  /// Cut afresh from the solution: what lies in steps/ may be somebody's work.
+  Version skeleton() const;
+  /// The solution with a patch. A patch that does not apply gives a version that is not built, and says why.
+  Version patched(const std::string& name, const std::filesystem::path& patch) const;
+
+  /// How a version's program is run: one worker, so that several versions can run side by side; earlier steps are the
+  /// solution's.
+  judge::RunSettings settings(const Version& version) const;
+
+  /// The answers of a version to these cases.
+  std::vector<judge::Answer> answers(const Version& version, const std::vector<judge::JudgedCase>& cases) const;
+
+  const CourseStep& step() const { return step_; }
+
+ private:
+  /// The version `name`, of the files that `make` writes into the folder that it is given.
+  Version make(const std::string& name, const std::function<void(const std::filesystem::path&)>& write) const;
+
+  ProjectFolders folders_;
+  CourseStep step_;
+  judge::StepFlags flags_;
+  Owners earlier_;
+  std::filesystem::path root_;
+};
+
+/// Calls task(0) ... task(count - 1) on `threads` threads, each number once. The first exception is thrown again when
+/// all have ended.
+void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& task);
+
+/// As many threads as the machine has cores, at least one.
+int worker_threads();
+
+}  // namespace atelier

@@ -1,0 +1,161 @@
+// ./atelier grade: somebody's submission, step by step, and the files that a grader and other programs read.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <exception>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/printable.hpp"
+#include "base/replace_together.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+#include "cli/progress.hpp"
+#include "cli/search_path.hpp"
+#include "cli/stop.hpp"
+#include "grade/environment.hpp"
+#include "grade/submission.hpp"
+#include "judge/report/report_html.hpp"
+#include "judge/report/report_json.hpp"
+#include "judge/report/report_junit.hpp"
+#include "judge/report/report_terminal.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using judge::StepResult;
+
+/// Everything that the steps of one submission share.
+struct Grading {
+  ProjectFolders folders = project_folders();
+  std::vector<CourseStep> course = read_course(folders.step_flags());
+  judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
+  TemporaryFolder workshop{"atelier-grade"};  ///< the private copy, what is built from it, the driver's cache
+  grade::Submission submission;
+};
+
+/// Makes the folder of the results before anybody is graded: an hour's work must not end in front of a closed door.
+void prepare_results_folder(const fs::path& out) {
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error || ::access(out.c_str(), W_OK) != 0)
+    throw Error(fmt::format("--out {}: results cannot be written there ({}); name a folder of your own", out.string(),
+                            error ? error.message() : std::strerror(errno)));
+}
+
+/// How this very submission is judged again, case by case; empty for an archive, which `check` cannot read.
+void point_to_submission(judge::SubmissionResult& result, const fs::path& source) {
+  const std::string folder = source.empty() ? "" : shell_word(source.string());
+  for (StepResult& step : result.steps)
+    for (judge::CaseResult& c : step.cases)
+      c.command =
+          folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
+}
+
+/// The steps that were asked for, or those that were handed in.
+std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector<std::string>& asked) {
+  std::vector<CourseStep> steps = resolve_steps(grading.course, asked);
+  if (asked.empty())
+    std::erase_if(steps, [&](const auto& step) { return !grading.submission.present.contains(step.name); });
+  return steps;
+}
+
+StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
+                      const grade::StepJudge& judge, const StopOnSignal& stop, Progress& progress) {
+  const grade::Submission& submission = grading.submission;
+  if (const auto found = submission.passed_over.find(step.name); found != submission.passed_over.end())
+    return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
+  if (!submission.present.contains(step.name)) return judge.judge_absent();
+  if (const auto found = submission.not_taken.find(step.name); found != submission.not_taken.end())
+    return judge.judge_unbuilt(judge::not_built(found->second));
+
+  const grade::Code code{.sources = submission.folder, .libraries = grading.workshop.path() / "libraries"};
+  progress.building(step.name);
+  const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
+  if (stop.asked()) throw judge::Interrupted();  // a compiler that was stopped has no say
+  if (!built.ok) return judge.judge_unbuilt(built);
+
+  const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
+  judge::RunSettings settings;
+  settings.program = grading.folders.program(step.name);
+  settings.implementations = search_path(grading.folders, step, code, earlier);
+  if (is_there(grading.folders, step.name, Owner::solution))
+    settings.solution = search_path(grading.folders, step, code_of(grading.folders, Owner::solution), earlier);
+  settings.context = options.context;
+  settings.workers = options.workers;
+  settings.shuffle = options.shuffle;
+  settings.interrupted = [&] { return stop.asked(); };
+  settings.shader_cache = grading.workshop.path() / "shaders";  // it holds machine code: never shared
+  std::size_t judged = 0;
+  const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
+  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
+  result.build_log = built.log;
+  result.implementations = in_words(earlier, step.name, "submission");
+  return result;
+}
+
+void write_results(judge::SubmissionResult& result, const fs::path& out) {
+  for (StepResult& step : result.steps)
+    for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
+  replace_together({{out / "results.json", [&](const fs::path& file) { judge::write_results_json(file, result); }},
+                    {out / "junit.xml", [&](const fs::path& file) { judge::write_junit_xml(file, result); }},
+                    {out / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
+}
+
+}  // namespace
+
+int run_grade(const GradeOptions& options) {
+  const StopOnSignal stop;
+  Grading grading;
+  grading.submission =
+      grade::take_submission(grading.flags, options.submission, grading.workshop.path() / "submission");
+  const fs::path out =
+      options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
+
+  const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
+  const judge::Environment environment =
+      grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
+  if (const std::string& driver = environment.at("driver"); driver.starts_with(grade::no_driver))
+    throw Error(fmt::format("nothing can be drawn on this machine, so nobody is graded: {}",
+                            driver.substr(grade::no_driver.size())));
+  prepare_results_folder(out);
+
+  // All references before the first program: where one is broken nobody is graded, not half of the class.
+  std::deque<grade::StepJudge> judges;
+  for (const CourseStep& step : steps) {
+    judges.emplace_back(grade::Criteria{.cases = grading.folders.case_file(step.name),
+                                        .mistakes = grading.folders.mistakes_file(step.name),
+                                        .reference_cache = grading.folders.reference_cache()});
+    judges.back().require_references();
+  }
+
+  judge::SubmissionResult result;
+  result.submission = grading.submission.name;
+  result.environment = environment;
+  Progress progress(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
+  progress.clear();
+  grade::sum_up(result);
+  point_to_submission(result, grading.submission.source);
+  result.notes = grading.submission.notes;
+
+  // Written first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  std::exception_ptr not_written;
+  try {
+    write_results(result, out);
+  } catch (const std::exception&) {
+    not_written = std::current_exception();
+  }
+  fmt::print("{}", options.json ? judge::results_json(result)
+                                : judge::terminal_report(result, judge::terminal_style(STDOUT_FILENO)));
+  if (not_written) std::rethrow_exception(not_written);
+  if (!options.json) fmt::print("Results: {}\n", out.string());
+  return exit_ok;
+}
+
+}  // namespace atelier

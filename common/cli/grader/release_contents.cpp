@@ -1,0 +1,287 @@
+#include "cli/grader/release_contents.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/process.hpp"
+#include "base/sha256.hpp"
+#include "base/strict_json.hpp"
+#include "cli/author/marked_text.hpp"
+#include "cli/grader/release_leaks.hpp"
+#include "cli/grader/visible_cases.hpp"
+#include "judge/compare/mistakes.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using OrderedJson = nlohmann::ordered_json;
+
+/// The project's files as git lists them; nothing where the project is no working tree, or there is no git.
+std::optional<std::set<std::string>> files_of_git(const fs::path& root) {
+  std::set<std::string> files;
+  try {
+    const Finished git =
+        run_process({.arguments = {"git", "-C", root.string(), "ls-files", "-z"}, .output_limit = 64 << 20});
+    if (!git.ok()) return std::nullopt;
+    for (std::size_t begin = 0; begin < git.output.size();) {
+      const std::size_t end = std::min(git.output.find('\0', begin), git.output.size());
+      files.insert(git.output.substr(begin, end - begin));
+      begin = end + 1;
+    }
+  } catch (const Error&) {
+    return std::nullopt;
+  }
+  if (!files.contains("CMakeLists.txt")) return std::nullopt;  // a copy inside somebody else's working tree
+  return files;
+}
+
+bool contains(const std::vector<CourseStep>& steps, const CourseStep& step) {
+  return std::any_of(steps.begin(), steps.end(), [&](const CourseStep& s) { return s.name == step.name; });
+}
+
+/// The steps that `steps` use, themselves left out; a step is behind all that it uses.
+std::vector<CourseStep> earlier_steps(const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps) {
+  std::set<std::string> used;
+  std::vector<CourseStep> earlier;
+  for (auto step = course.rbegin(); step != course.rend(); ++step) {
+    const bool released = contains(steps, *step);
+    if (!released && !used.contains(step->name)) continue;
+    used.insert(step->uses.begin(), step->uses.end());
+    if (!released) earlier.insert(earlier.begin(), *step);
+  }
+  return earlier;
+}
+
+int count_files(const fs::path& folder, const std::string& extension = "") {
+  int count = 0;
+  if (!fs::is_directory(folder)) return 0;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file() && (extension.empty() || entry.path().extension() == extension)) ++count;
+  return count;
+}
+
+class Packer {
+ public:
+  Packer(const ProjectFolders& folders, const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps)
+      : folders_(folders), steps_(steps), earlier_(earlier_steps(course, steps)), known_(files_of_git(folders.root)) {
+    with_earlier_ = earlier_;
+    with_earlier_.insert(with_earlier_.end(), steps.begin(), steps.end());
+  }
+
+  Release pack(const std::vector<CourseStep>& course, Earlier earlier) {
+    pack_project();
+    for (const CourseStep& step : with_earlier_) {
+      pack_given(step);
+      pack_handout(step);
+    }
+    for (const CourseStep& step : earlier == Earlier::none ? with_earlier_ : steps_) pack_skeletons(step);
+    for (const CourseStep& step : steps_) pack_cases(step);
+    std::vector<CourseStep> secret = course;
+    for (const CourseStep& step : earlier_) {
+      release_.earlier.push_back(step.name);
+      if (earlier == Earlier::none) continue;
+      earlier == Earlier::source ? pack_solution(step) : pack_library(step);
+      std::erase_if(secret, [&](const CourseStep& s) { return s.name == step.name; });
+    }
+    count_left_out(course, secret);
+    refuse_leaks(distinctive_lines(folders_, course, secret));
+    pack_manifest();
+    return std::move(release_);
+  }
+
+ private:
+  void put(const std::string& path, std::string bytes) { release_.files[path].bytes = std::move(bytes); }
+
+  /// A file of the project, under its own path or another.
+  void take(const std::string& path, const std::string& as = "") {
+    put(as.empty() ? path : as, read_file(folders_.root / path));
+  }
+
+  /// The files in a folder whose extension, or name, is among `kinds`, and that git knows.
+  void take_below(const std::string& folder, const std::set<std::string>& kinds) {
+    for (const auto& entry : fs::recursive_directory_iterator(folders_.root / folder)) {
+      const fs::path& path = entry.path();
+      if (!entry.is_regular_file() || !(kinds.contains(path.extension()) || kinds.contains(path.filename()))) continue;
+      take_known(fs::relative(path, folders_.root).generic_string());
+    }
+  }
+
+  void take_known(const std::string& path) {
+    if (known_ && !known_->contains(path))
+      release_.untracked.push_back(path);
+    else
+      take(path);
+  }
+
+  void pack_project() {
+    for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "LICENSE", ".clang-format", ".editorconfig",
+                             ".gitignore", "atelier", "steps/CMakeLists.txt"})
+      take(file);
+    release_.files["atelier"].executable = true;
+    take("handouts/README-release.md", "README.md");
+    take_below("cmake", {".cmake", ".hpp"});
+    take_below("common", {".cpp", ".hpp", ".glsl", ".cmake", ".sh", ".css", ".js", "CMakeLists.txt"});
+  }
+
+  /// The contract, the five lines of a README, and what is given.
+  void pack_given(const CourseStep& step) {
+    const std::string folder = "steps/" + step.name;
+    for (const auto& entry : fs::directory_iterator(folders_.root / folder))
+      if (const fs::path& path = entry.path(); path.extension() == ".hpp" || path.filename() == "README.md")
+        take_known(folder + "/" + path.filename().string());
+    take_below(folder + "/given", {".cpp", ".hpp", ".glsl", ".cmake"});
+  }
+
+  void pack_skeletons(const CourseStep& step) {
+    for (const std::string& file : step.files) {
+      const std::string name = step.name + "/" + file;
+      put("skeletons/" + name, cut_skeleton(read_file(folders_.solutions() / name), "solutions/" + name, step.name));
+    }
+  }
+
+  /// With its pictures. A link to a handout that does not come along loses its target and keeps its words.
+  void pack_handout(const CourseStep& step) {
+    const std::string path = "handouts/" + step.name + ".md";
+    if (!fs::exists(folders_.root / path)) return;
+    std::string text = read_file(folders_.root / path);
+    static const std::regex picture(R"(\]\(((?:pictures|plots)/[A-Za-z0-9._-]+)\))");
+    for (std::sregex_iterator it(text.begin(), text.end(), picture), end; it != end; ++it)
+      take("handouts/" + (*it)[1].str());
+    static const std::regex link(R"(\[([^\]]*)\]\(([0-9][A-Za-z0-9-]*)\.md(#[^)]*)?\))");
+    std::string out;
+    auto rest = text.cbegin();
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const bool there = std::any_of(with_earlier_.begin(), with_earlier_.end(),
+                                     [&](const CourseStep& s) { return s.name == (*it)[2].str(); });
+      out.append(rest, (*it)[0].first);
+      out += there ? (*it)[0].str() : (*it)[1].str();
+      rest = (*it)[0].second;
+    }
+    put(path, out.append(rest, text.cend()));
+  }
+
+  void pack_cases(const CourseStep& step) {
+    const VisibleCases visible = visible_cases(folders_.case_file(step.name), pack_mistakes(step));
+    put("tests/cases/" + step.name + "/cases.json", visible.text);
+    for (const fs::path& file : visible.files) take(fs::relative(file, folders_.root).generic_string());
+    pack_hints(step, visible);
+    if (const fs::path sweeps = folders_.measure_file(step.name); fs::exists(sweeps))
+      take(fs::relative(sweeps, folders_.root).generic_string());
+    release_.cases += int(visible.cases.size());
+    for (const judge::JudgedCase& c : visible.cases) release_.points += c.points;
+    release_.hidden += visible.hidden;
+    release_.hidden_points += visible.hidden_points;
+  }
+
+  /// Without those of functions that only hidden cases ask for.
+  void pack_hints(const CourseStep& step, const VisibleCases& visible) {
+    const fs::path file = folders_.hints_file(step.name);
+    if (!fs::exists(file)) return;
+    std::set<std::string> functions;
+    for (const judge::JudgedCase& c : visible.cases) functions.insert(c.functions.begin(), c.functions.end());
+    OrderedJson hints = OrderedJson::parse(read_file(file));
+    OrderedJson kept = OrderedJson::object();
+    for (const auto& [function, texts] : hints.at("functions").items())
+      if (functions.contains(function)) kept[function] = texts;
+    hints["functions"] = std::move(kept);
+    put("tests/cases/" + step.name + "/hints.json", hints.dump(2) + "\n");
+  }
+
+  /// What a verdict says of each mistake, and not how it is made. Returns their names.
+  std::set<std::string> pack_mistakes(const CourseStep& step) {
+    const fs::path file = folders_.mistakes_file(step.name);
+    std::set<std::string> names;
+    if (!fs::exists(file)) return names;
+    OrderedJson list = OrderedJson::array();
+    for (const judge::Mistake& mistake : judge::read_mistakes(file, judge::Patches::optional)) {
+      names.insert(mistake.name);
+      list.push_back(
+          {{"name", mistake.name}, {"title", mistake.title}, {"sentence", mistake.sentence}, {"hint", mistake.hint}});
+    }
+    put("tests/mistakes/" + step.name + "/mistakes.json", list.dump(2) + "\n");
+    return names;
+  }
+
+  void pack_solution(const CourseStep& step) {
+    for (const std::string& file : step.files) pack_finished("solutions/" + step.name + "/" + file);
+  }
+
+  /// A file of a solution, without the marks that a skeleton is cut by.
+  void pack_finished(const std::string& path) { put(path, finished_text(read_file(folders_.root / path), path)); }
+
+  void pack_library(const CourseStep& step) {
+    const std::string folder = "solutions/" + step.name + "/";
+    bool compiled = false;
+    for (const std::string& file : step.files) {
+      if (file.ends_with(".cpp"))
+        compiled = true;
+      else
+        pack_finished(folder + file);
+    }
+    if (compiled) put(folder + "libstep.so", stripped_library(step));
+  }
+
+  /// Without what a debugger reads: names of files on this machine, and lines of the source.
+  std::string stripped_library(const CourseStep& step) const {
+    const fs::path library = folders_.implementations() / "solutions" / step.name / "libstep.so";
+    if (!fs::exists(library))
+      throw Error(fmt::format("{}: is missing; build the project, then release again", library.string()));
+    const TemporaryFolder scratch("atelier-strip");
+    const fs::path stripped = scratch.path() / "libstep.so";
+    const Finished strip =
+        run_process({.arguments = {"strip", "--strip-unneeded", "-o", stripped.string(), library.string()}});
+    if (!strip.ok()) throw Error(fmt::format("{}: cannot be stripped: {}", library.string(), strip.output));
+    return read_file(stripped);
+  }
+
+  void count_left_out(const std::vector<CourseStep>& course, const std::vector<CourseStep>& secret) {
+    for (const CourseStep& step : secret) release_.solutions += int(step.files.size());
+    for (const CourseStep& step : course)
+      release_.patches += count_files(folders_.mistakes() / step.name, ".patch") +
+                          count_files(folders_.variants() / step.name, ".patch");
+    std::sort(release_.untracked.begin(), release_.untracked.end());
+  }
+
+  void refuse_leaks(const std::set<std::string>& lines) const {
+    const std::vector<Leak> leaks = find_leaks(release_.files, lines);
+    if (leaks.empty()) return;
+    throw Error(fmt::format("{}: holds a line of a solution, '{}' ({} such lines in all): nothing was released",
+                            leaks.front().file, leaks.front().line, leaks.size()));
+  }
+
+  void pack_manifest() {
+    std::string lines;
+    for (const auto& [path, file] : release_.files) lines += sha256(file.bytes) + "  " + path + "\n";
+    put("release.sha256", lines);
+  }
+
+  const ProjectFolders& folders_;
+  std::vector<CourseStep> steps_, earlier_, with_earlier_;
+  std::optional<std::set<std::string>> known_;
+  Release release_;
+};
+
+void require_solutions(const ProjectFolders& folders, const std::vector<CourseStep>& course) {
+  for (const CourseStep& step : course)
+    for (const std::string& file : step.files)
+      if (!fs::exists(folders.solutions() / step.name / file))
+        throw Error(fmt::format("{}: is missing; a release is made from the whole project, solutions included",
+                                (folders.solutions() / step.name / file).string()));
+}
+
+}  // namespace
+
+Release make_release(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                     const std::vector<CourseStep>& steps, Earlier earlier) {
+  require_solutions(folders, course);
+  return Packer(folders, course, steps).pack(course, earlier);
+}
+
+}  // namespace atelier

@@ -1,0 +1,94 @@
+// ./atelier check: a student's own files of one step, from the last edit to a verdict.
+//
+// Somebody waits for this at every save, so the order is: build and read references at the same time, draw, judge,
+// print the verdict, and only then whatever is slow (the environment, the pictures of the report).
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+#include "cli/stop.hpp"
+#include "cli/student/after_pass.hpp"
+#include "cli/student/own_check.hpp"
+#include "cli/student/standing.hpp"
+#include "grade/environment.hpp"
+#include "judge/report/report_json.hpp"
+#include "judge/report/report_terminal.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+void print_verdict(const judge::StepResult& result, const CheckOptions& options, const fs::path& report) {
+  judge::TerminalStyle style = judge::terminal_style(STDOUT_FILENO);
+  style.heat_maps = options.heatmap;
+  if (!options.skip_report && judge::can_link(STDOUT_FILENO))
+    style.report_url = "file://" + (report / "report.html").string();
+  fmt::print("{}", judge::terminal_report(result, style));
+  std::fflush(stdout);
+}
+
+/// Said where a picture may have failed for the driver's sake: the stored references were drawn by llvmpipe.
+std::string on_another_driver(const judge::SubmissionResult& result, bool live) {
+  const auto driver = result.environment.find("driver");
+  if (live || driver == result.environment.end() || driver->second.find("llvmpipe") != std::string::npos) return {};
+  return fmt::format(
+      "Your driver ({}) is not the one that drew the references: where only edges differ, --references live compares "
+      "with what the solution draws on yours.\n",
+      driver->second);
+}
+
+/// What to do now: after a pass, or where somebody is stuck.
+std::string what_next(const OwnCheck& check, bool passed) {
+  if (!passed) return fmt::format("Stuck? ./atelier hint {}\n", check.step().number());
+  const ProgressRecord record = read_progress(check.folders().progress());
+  return after_pass(check.folders(), standings(check.folders(), check.course(), record), check.step().name);
+}
+
+}  // namespace
+
+int run_check(const CheckOptions& options) {
+  const StopOnSignal stop;
+  const ProjectFolders folders = project_folders();
+  const auto course = read_course(folders.step_flags());
+  OwnCheck check(folders, course, resolve_step(course, options.step),
+                 {.cases = options.cases,
+                  .context = options.context,
+                  .earlier = options.earlier,
+                  .sources = options.sources,
+                  .live = options.live});
+  const fs::path report =
+      options.report.empty() ? own_report_folder(folders, check.step().name) : fs::absolute(options.report);
+
+  judge::SubmissionResult result;
+  result.submission = "yours";
+  result.steps.push_back(check.judge([&] { return stop.asked(); }));
+  grade::sum_up(result);
+  // Recorded first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  std::exception_ptr not_recorded;
+  try {
+    check.record(result.steps.front());
+  } catch (const Error&) {
+    not_recorded = std::current_exception();
+  }
+  if (!options.json) print_verdict(result.steps.front(), options, report);
+  if (not_recorded) std::rethrow_exception(not_recorded);
+
+  if (options.json || !options.skip_report)
+    result.environment = grade::describe_environment(options.context, folders.step_flags(), folders.root);
+  if (options.json) fmt::print("{}", judge::results_json(result));
+  if (!options.skip_report) {
+    write_own_report(result, report);
+    if (!options.json) fmt::print("Report: {}\n", (report / "report.html").string());
+  }
+  const bool passed = grade::all_passed(result.steps.front());
+  if (!passed && !options.json) fmt::print("{}", on_another_driver(result, options.live));
+  if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, passed));
+  return passed ? exit_ok : exit_failed;
+}
+
+}  // namespace atelier

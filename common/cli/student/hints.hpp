@@ -1,0 +1,57 @@
+// Hints in three levels: a nudge first, then the idea, then nearly the answer.
+//
+// Level 1 is the case's own hint (cases.json). Levels 2 and 3 belong to the student's functions, and so serve every
+// case that names the function: tests/cases/NN-name/hints.json, beside the cases.
+//
+//   {"schema": 1, "step": "02-blinn-phong",
+//    "functions": {"srgb_encode": ["level 2: the idea or formula, and where the handout has it",
+//                                  "level 3: nearly the answer, in words; never the solution's lines"], ...}}
+//
+// Every function that a case names must have both, and no other may be there. Each text is one line of at most 1000
+// bytes.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "cli/layout.hpp"
+#include "cli/student/progress_record.hpp"
+#include "judge/compare/judged_case.hpp"
+
+namespace atelier {
+
+/// Levels 2 and 3 by function.
+using FunctionHints = std::map<std::string, std::array<std::string, 2>>;
+
+/// Reads hints.json and holds it against the cases. Throws Error naming file, member, value and what is allowed; for a
+/// function that a case names and the file does not have; and for one that no case names.
+FunctionHints read_hints(const std::filesystem::path& file, const judge::CaseFile& cases);
+
+/// One hint, as it is shown.
+struct Hint {
+  std::string step, case_name, case_title;
+  int level = 1, levels = most_hints;  ///< "hint 2 of 3"; a case that names no function has one level only
+  std::vector<std::string> functions;  ///< whom each of `texts` is about; empty at level 1
+  std::vector<std::string> texts;
+};
+
+/// The hint of `level` (1..3, bounded by what there is) for a case, which may be empty: then the first, in the order of
+/// the case file, that the last full check did not pass; the very first where there was no check. Of a case that
+/// exercises several functions those are left out whose own cases (naming no other function) have all passed, unless
+/// none would be left. Throws Error for an unknown case, and where no case is named and all have passed.
+Hint hint_at(const ProjectFolders& folders, const CourseStep& step, const std::string& case_name,
+             const ProgressRecord& record, int level);
+
+/// The next hint for a case (as above): one level further than was shown before, at most the last; takes that down in
+/// `record`, which is the caller's to write (write_progress).
+Hint next_hint(const ProjectFolders& folders, const CourseStep& step, const std::string& case_name,
+               ProgressRecord& record);
+
+/// The hint for a terminal: the case, "hint 2 of 3", the texts in lines of at most `width` columns, and the command for
+/// the next.
+std::string hint_text(const Hint& hint, int width);
+
+}  // namespace atelier

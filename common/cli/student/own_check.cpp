@@ -1,0 +1,114 @@
+#include "cli/student/own_check.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <future>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/sha256.hpp"
+#include "cli/student/own_files.hpp"
+#include "cli/student/progress_record.hpp"
+#include "judge/report/preview.hpp"
+#include "judge/report/report_html.hpp"
+#include "judge/report/report_json.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart from all others.
+grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
+  if (options.sources.empty()) return code_of(folders, Owner::mine);
+  const fs::path sources = fs::weakly_canonical(options.sources), all = folders.implementations() / "elsewhere";
+  const fs::path kept = all / sha256(sources.string()).substr(0, 16);
+  // What nobody has built in for a day is built anew where it is asked for again.
+  std::error_code none;
+  for (const auto& other : fs::directory_iterator(all, none))
+    if (other.path() != kept && fs::file_time_type::clock::now() - other.last_write_time(none) > std::chrono::hours(24))
+      fs::remove_all(other.path(), none);
+  return {.sources = sources, .libraries = kept};
+}
+
+/// The picture that an editor shows: the first one that fails, or the first one.
+const judge::Evidence* picture_to_show(const judge::StepResult& result) {
+  const judge::Evidence* first = nullptr;
+  for (const judge::CaseResult& c : result.cases) {
+    if (!c.evidence) continue;
+    if (c.status != judge::Status::passed) return &*c.evidence;
+    if (first == nullptr) first = &*c.evidence;
+  }
+  return first;
+}
+
+}  // namespace
+
+OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course, CourseStep step,
+                   OwnCheckOptions options)
+    : folders_(folders),
+      course_(std::move(course)),
+      step_(std::move(step)),
+      options_(std::move(options)),
+      judge_({.cases = folders.case_file(step_.name),
+              .mistakes = folders.mistakes_file(step_.name),
+              .reference_cache = folders.reference_cache()},
+             options_.cases) {
+  if (options_.live && !is_there(folders_, step_.name, Owner::solution))
+    throw Error(fmt::format("--references live: the solution draws them, and {} is not here",
+                            (folders_.solutions() / step_.name).string()));
+  read_progress(folders_.progress());  // a broken record is better heard of before the work than after
+}
+
+judge::RunSettings OwnCheck::run_settings(Implementations path) const {
+  judge::RunSettings settings;
+  settings.program = folders_.program(step_.name);
+  settings.implementations = std::move(path);
+  if (is_there(folders_, step_.name, Owner::solution))
+    settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), {});
+  settings.context = options_.context;
+  settings.shader_cache = folders_.shader_cache();
+  return settings;
+}
+
+judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
+  judged_files_ = digest_of_files(folders_.steps() / step_.name, step_.files);
+  std::future<void> references = std::async(std::launch::async, [&] { judge_.require_references(); });
+  const OwnFiles own = prepare_own_files(folders_, course_, step_, own_code(folders_, options_), options_.earlier);
+  references.get();
+  if (interrupted && interrupted()) throw judge::Interrupted();  // a compiler that was stopped has no say
+
+  judge::RunSettings settings = run_settings(own.path);
+  settings.interrupted = interrupted;
+  if (options_.live && !live_drawn_) {  // once: the solution stays as it is
+    judge_.use_live_references(run_settings(settings.solution.value()));
+    live_drawn_ = true;
+  }
+  judge::StepResult result =
+      own.built.ok ? judge_.judge(settings, judge::KeepEvidence::always) : judge_.judge_unbuilt(own.built);
+  if (own.built.not_taken.empty()) result.build_log = own.built.log;
+  result.implementations = in_words(own.earlier, step_.name, "yours");
+  return result;
+}
+
+void OwnCheck::record(const judge::StepResult& result) const {
+  if (!counts_as_progress()) return;
+  if (digest_of_files(folders_.steps() / step_.name, step_.files) != judged_files_) return;
+  change_progress(folders_.progress(), [&](ProgressRecord& record) { record_check(record, result, judged_files_); });
+}
+
+fs::path own_report_folder(const ProjectFolders& folders, const std::string& step) {
+  return folders.out() / "check" / step;
+}
+
+void write_own_report(judge::SubmissionResult& result, const fs::path& folder) {
+  if (const judge::Evidence* evidence = picture_to_show(result.steps.front()))
+    judge::write_preview(folder / "preview.png", *evidence);
+  for (judge::CaseResult& c : result.steps.front().cases)
+    if (c.status != judge::Status::passed) judge::draw_flip(c);
+  judge::write_results_json(folder / "results.json", result);
+  judge::write_html_report(folder / "report.html", result);
+}
+
+}  // namespace atelier

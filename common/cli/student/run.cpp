@@ -1,0 +1,37 @@
+// ./atelier run: a step's own program with the student's files in it.
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "cli/commands.hpp"
+#include "cli/student/own_files.hpp"
+
+namespace atelier {
+
+int run_run(const RunOptions& options) {
+  if (options.step.empty()) throw Error("run: say which step, as in ./atelier run 02");
+  const ProjectFolders folders = project_folders();
+  const auto course = read_course(folders.step_flags());
+  const CourseStep step = resolve_step(course, options.step);
+  const OwnFiles own = prepare_own_files(folders, course, step, code_of(folders, Owner::mine), options.earlier);
+  if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
+  if (!own.built.log.empty()) fmt::print(stderr, "{}", own.built.log);  // warnings
+  for (const auto& [name, owner] : own.earlier) fmt::print(stderr, "with {}: {}\n", name, to_string(owner));
+
+  std::vector<std::string> arguments = {folders.program(step.name).string(), "--implementations", own.path.to_string()};
+  arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  pointers.push_back(nullptr);
+  std::fflush(stdout);
+  ::signal(SIGPIPE, SIG_DFL);  // which we ignore: a program inherits that
+  ::execv(pointers[0], pointers.data());
+  throw Error(fmt::format("{}: cannot be started: {}; build the project again", arguments[0], std::strerror(errno)));
+}
+
+}  // namespace atelier

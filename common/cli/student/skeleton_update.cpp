@@ -1,0 +1,134 @@
+#include "cli/student/skeleton_update.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/folder_lock.hpp"
+#include "base/process.hpp"
+#include "base/sha256.hpp"
+#include "cli/author/skeleton_record.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "NN-name/FILE" of every file in a folder of steps.
+std::vector<std::string> files_below(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& step : fs::directory_iterator(folder)) {
+    if (!step.is_directory()) continue;
+    for (const auto& file : fs::directory_iterator(step.path()))
+      if (file.is_regular_file()) names.push_back(fs::relative(file.path(), folder).generic_string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::optional<std::string> read_where_there(const fs::path& path) {
+  if (!fs::exists(path)) return std::nullopt;
+  return read_file(path);
+}
+
+/// `mine` with what has changed from `given` to `skeleton`. Nothing where git is missing or both changed the same.
+std::optional<std::string> merged(const std::string& mine, const std::string& given, const std::string& skeleton) {
+  const TemporaryFolder folder("atelier-merge");
+  write_file(folder.path() / "mine", mine);
+  write_file(folder.path() / "given", given);
+  write_file(folder.path() / "skeleton", skeleton);
+  try {
+    const Finished git = run_process({.arguments = {"git", "merge-file", "--quiet", "mine", "given", "skeleton"},
+                                      .folder = folder.path(),
+                                      .time_limit = std::chrono::seconds(10)});
+    if (!git.ok()) return std::nullopt;
+  } catch (const Error&) {
+    return std::nullopt;  // no git on this machine
+  }
+  return read_file(folder.path() / "mine");
+}
+
+class Update {
+ public:
+  explicit Update(const ProjectFolders& folders)
+      : skeletons_(folders.skeletons()), given_(folders.given()), steps_(folders.steps()) {}
+
+  std::vector<std::string> run() {
+    if (names_of_new().empty()) return {};
+    // Two commands at a time take turns: what the first one does must not look like a student's edit to the second.
+    const FolderLock lock(skeletons_);
+    const std::vector<std::string> names = names_of_new();
+    if (names.empty()) return {};
+    SkeletonRecord record = read_skeleton_record(steps_);
+    for (const std::string& name : names) {
+      update(name);
+      record[name] = sha256(read_file(skeletons_ / name));
+    }
+    write_skeleton_record(steps_, record);
+    return std::move(lines_);
+  }
+
+ private:
+  /// The skeletons that were not given yet, and those of files that are missing.
+  std::vector<std::string> names_of_new() const {
+    std::vector<std::string> names = files_below(skeletons_);
+    std::erase_if(names, [&](const std::string& name) {
+      return fs::exists(steps_ / name) && read_where_there(given_ / name) == read_file(skeletons_ / name);
+    });
+    return names;
+  }
+
+  void update(const std::string& name) {
+    const std::string skeleton = read_file(skeletons_ / name);
+    const auto given = read_where_there(given_ / name), mine = read_where_there(steps_ / name);
+    if (!mine)
+      put(name, skeleton, "is yours to write");
+    else if (mine == given)
+      put(name, skeleton, "was untouched, and is now the skeleton of this release");
+    else if (*mine != skeleton)
+      keep(name, *mine, given, skeleton);
+    write_file(given_ / name, skeleton);  // last, so that a run that is cut off is done again
+  }
+
+  void keep(const std::string& name, const std::string& mine, const std::optional<std::string>& given,
+            const std::string& skeleton) {
+    const auto both = given ? merged(mine, *given, skeleton) : std::nullopt;
+    if (both == mine) return;  // the student has made the same changes
+    if (both) {
+      const fs::path before = free_path(steps_ / name, ".before-merge");
+      write_file(before, mine);
+      put(name, *both,
+          fmt::format("has your work and the changes of this release; {} is as you left it",
+                      before.filename().string()));
+      return;
+    }
+    const fs::path beside = free_path(steps_ / name, ".new");
+    write_file(beside, skeleton);
+    say(name, fmt::format("stays as you left it; the skeleton of this release lies beside as {}",
+                          beside.filename().string()));
+  }
+
+  void put(const std::string& name, const std::string& text, const std::string& what) {
+    write_file(steps_ / name, text);
+    say(name, what);
+  }
+
+  void say(const std::string& name, const std::string& what) {
+    lines_.push_back(fmt::format("steps/{} {}", name, what));
+  }
+
+  fs::path skeletons_, given_, steps_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> update_skeletons(const ProjectFolders& folders) {
+  if (!fs::is_directory(folders.skeletons())) return {};
+  return Update(folders).run();
+}
+
+}  // namespace atelier

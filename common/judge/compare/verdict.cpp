@@ -1,0 +1,131 @@
+#include "judge/compare/verdict.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "image/flip.hpp"
+#include "judge/compare/verdict_parts.hpp"
+
+namespace atelier::judge {
+namespace {
+
+Status status_of(Answer::Ended ended) {
+  switch (ended) {
+    case Answer::Ended::normally:
+      return Status::failed;
+    case Answer::Ended::missing:
+      return Status::missing;
+    case Answer::Ended::crashed:
+      return Status::crashed;
+    case Answer::Ended::timeout:
+      return Status::timeout;
+    case Answer::Ended::build_failed:
+      return Status::build_failed;
+  }
+  return Status::missing;
+}
+
+std::string default_reason(Status status) {
+  switch (status) {
+    case Status::crashed:
+      return "The program crashed in this case.";
+    case Status::timeout:
+      return "The program did not finish this case in time.";
+    case Status::build_failed:
+      return "The files did not compile.";
+    default:
+      return "The program wrote no answer to this case.";
+  }
+}
+
+/// What to try where there is nothing to compare: the case's own hint is about an answer that came.
+std::string hint_without_answer(Status status, const std::string& hint_of_case) {
+  switch (status) {
+    case Status::build_failed:
+      return "Mend what the compiler names first: nothing that needs this file can be judged before.";
+    case Status::crashed:
+      return "Look for an index out of range, a null pointer, a recursion without end, or something thrown that "
+             "nothing "
+             "catches; a debugger names the line.";
+    case Status::timeout:
+      return "Look for a loop that never ends, or that makes its work longer while it runs.";
+    default:
+      return hint_of_case;
+  }
+}
+
+CaseResult blank(const JudgedCase& c, const Answer& answer, const StepReferences& references) {
+  CaseResult result;
+  result.name = c.ask.name;
+  result.title = c.title;
+  result.status = status_of(answer.ended);
+  result.max_score = c.points;
+  result.asked = c.asked;
+  result.hint = c.hint;
+  result.command = fmt::format("./atelier check {} --case {}", references.step(), c.ask.name);
+  result.output = answer.output;
+  return result;
+}
+
+}  // namespace
+
+void pass(CaseResult& result) {
+  result.status = Status::passed;
+  result.score = result.max_score;
+  result.hint.clear();
+}
+
+void give(CaseResult& result, const Credit& credit) {
+  result.score = credit.fraction * result.max_score;
+  result.credit = result.score > 0 ? credit.explanation : "";
+}
+
+void name_mistake(CaseResult& result, const std::string& name, const StepReferences& references) {
+  result.mistake = name;
+  const Mistake* known = references.mistake(name);
+  if (!known) return;
+  result.mistake_sentence = known->sentence;
+  if (!known->hint.empty()) result.hint = known->hint;
+}
+
+/// Puts a hypothesis in front of what was seen.
+void say_hypothesis(CaseResult& result, const Hypothesis& whole) {
+  result.hypothesis = whole.name;
+  result.reason = whole.sentence + " " + result.reason;
+  result.hint = whole.hint;
+}
+
+std::string reason_without_answer(Status status, const Answer& answer) {
+  return answer.error.empty() ? default_reason(status) : answer.error;
+}
+
+void miss(CaseResult& result, const Answer& answer) {
+  result.status = Status::missing;
+  result.reason = reason_without_answer(Status::missing, answer);
+}
+
+CaseResult judge_case(const JudgedCase& c, const Answer& answer, const StepReferences& references, KeepEvidence keep) {
+  references.of(c);  // a broken reference is our failure, and is said whatever the answer was
+  CaseResult result = blank(c, answer, references);
+  if (answer.ended != Answer::Ended::normally) {
+    result.reason = reason_without_answer(result.status, answer);
+    result.hint = hint_without_answer(result.status, c.hint);
+    return result;
+  }
+  if (c.choice) return judge_choice(std::move(result), c, answer, references, keep);
+  return c.profile == Profile::values ? judge_probe(std::move(result), c, answer, references)
+                                      : judge_picture(std::move(result), c, answer, references, keep);
+}
+
+void draw_flip(CaseResult& result) {
+  if (!result.evidence || !result.evidence->colours || !result.evidence->flip.empty()) return;
+  Evidence& evidence = *result.evidence;
+  FlipOptions options;
+  options.encoding = Encoding::srgb;
+  Flip error = flip(evidence.reference, evidence.yours, options);
+  evidence.flip = std::move(error.map);
+  result.figures["flip_mean"] = error.mean;
+}
+
+}  // namespace atelier::judge

@@ -1,0 +1,42 @@
+#include <fmt/format.h>
+
+#include "judge/compare/verdict_picture.hpp"
+#include "judge/explain/sentences.hpp"
+
+namespace atelier::judge {
+
+CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
+                        KeepEvidence keep) {
+  const std::vector<Image>& truth = references.of(c).pictures;
+  if (!answer.pixels) {
+    miss(result, answer);
+    return result;
+  }
+  if (const auto stopped = stopped_at_gate(*answer.pixels, truth, c)) {
+    stop_at_gate(result, *stopped, c, *answer.pixels, references, keep);
+    return result;
+  }
+  for (const auto& [name, most] : c.choice->at_most)
+    if (!answer.counts.contains(name)) {
+      result.status = Status::missing;
+      result.reason = fmt::format("The program did not say what the picture costs: '{}' is missing.", name);
+      return result;
+    }
+  const ChoiceMeasurement measured =
+      measure_choice(*answer.pixels, truth.front(), encoding_of(c.unit), answer.counts, *c.choice);
+  result.figures["error"] = measured.error;
+  for (const auto& [name, most] : c.choice->at_most) result.figures[name] = double(answer.counts.at(name));
+  result.reason = describe_choice(measured, answer.counts, *c.choice);
+  if (measured.passed())
+    pass(result);
+  else
+    give(result,
+         {measured.credit, "By the logarithm of the error, between what earns all points and what earns none."});
+  if (keep == KeepEvidence::always || (keep == KeepEvidence::failures && !measured.passed())) {
+    Match match = best_match(c, *answer.pixels, truth);
+    keep_evidence(result, match, c);
+  }
+  return result;
+}
+
+}  // namespace atelier::judge

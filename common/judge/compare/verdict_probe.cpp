@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "judge/compare/probe.hpp"
+#include "judge/compare/verdict_parts.hpp"
+#include "judge/explain/naming.hpp"
+#include "judge/explain/sentences.hpp"
+#include "judge/explain/value_hypotheses.hpp"
+
+namespace atelier::judge {
+namespace {
+
+/// "at input 2: row 1, column 4 (m[3][0]) is 0 in place of 5"
+std::string number_words(const ProbeNumber& number, const std::vector<Numbers>& expected) {
+  const auto count = int(expected[std::size_t(number.input)].size());
+  const std::string place = place_of_number(number.component, count, matrix_side(expected));
+  return fmt::format("at input {}: {} is {} in place of {}", number.input, place.empty() ? "the result" : place,
+                     show_numbers({number.yours}), show_numbers({number.expected}));
+}
+
+std::string describe_probe(const ProbeMeasurement& measured, const std::vector<Numbers>& expected,
+                           const JudgedCase& c) {
+  const std::string& name = c.ask.probe;
+  if (!measured.malformed.empty()) return fmt::format("{}: {}.", name, measured.malformed);
+  const std::string inputs = measured.inputs == 1 ? "the one input" : fmt::format("all {} inputs", measured.inputs);
+  if (measured.passed)
+    return measured.worst_times == 0 ? fmt::format("{} is right for {}.", name, inputs)
+                                     : fmt::format("{} is right for {}; the worst is at {:.2g} of the tolerance.", name,
+                                                   inputs, measured.worst_times);
+  const std::string wrong =
+      measured.wrong == measured.inputs ? inputs : fmt::format("{} of {} inputs", measured.wrong, measured.inputs);
+  const ProbeNumber &first = measured.first_wrong.value(), &worst = measured.worst;
+  std::string text = fmt::format("{} is wrong for {}. First {}", name, wrong, number_words(first, expected));
+  if (first.input != worst.input || first.component != worst.component)
+    text += fmt::format("; farthest off {}", number_words(worst, expected));
+  text += '.';
+  if (measured.non_finite > 0) text += fmt::format(" For {} of them NaN or infinity comes back.", measured.non_finite);
+  return text;
+}
+
+}  // namespace
+
+CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references) {
+  const CaseReferences& right = references.of(c);
+  if (!answer.values) {
+    miss(result, answer);
+    return result;
+  }
+  const ProbeMeasurement measured = measure_probe(*answer.values, right.values, c);
+  result.figures["inputs"] = measured.inputs;
+  result.figures["wrong"] = measured.wrong;
+  if (std::isfinite(measured.worst_times)) result.figures["largest"] = measured.worst_times;
+  result.table = probe_table(*answer.values, right.values, c);
+  result.reason = describe_probe(measured, right.values, c);
+  if (measured.passed) {
+    pass(result);
+    return result;
+  }
+  if (measured.malformed.empty())
+    if (const auto whole = explain_values(*answer.values, right.values, c)) say_hypothesis(result, *whole);
+  if (const auto name = recognise_values(*answer.values, references.atlas(c).values, c))
+    name_mistake(result, *name, references);
+  if (measured.malformed.empty())
+    give(result, partial_probe_credit(measured.wrong, measured.inputs, right.skeleton_share));
+  return result;
+}
+
+}  // namespace atelier::judge

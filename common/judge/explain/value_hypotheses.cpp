@@ -1,0 +1,305 @@
+#include "judge/explain/value_hypotheses.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/glm.hpp>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "judge/compare/probe.hpp"
+#include "judge/explain/sentences.hpp"
+
+namespace atelier::judge {
+namespace {
+
+constexpr int least_evidence = 2;      // numbers that an operation moves to where they are
+constexpr double rounding = 4e-6;      // of the largest number: an inverse rounds more than what was asked for
+constexpr double as_good = 0.1;        // tolerances: operations that differ by less fit equally well
+constexpr double unit_within = 1e-3;   // of the length of a unit vector
+constexpr double name_within = 1e-4;   // of a factor that has a name
+constexpr double least_change = 0.02;  // of a factor: nearer to 1 or -1 nobody forgot one
+constexpr std::array ordinals{"first", "second", "third", "fourth"};
+
+/// What came back where it is wrong, and what should have.
+struct Value {
+  Numbers yours, expected;
+};
+
+struct Operation {
+  std::string name, what, hint;  ///< `what`: what comes back, after "returns"
+  std::function<Numbers(const Value&)> apply;
+  int taken = 0;           ///< numbers in all, and
+  int taken_of_value = 0;  ///< numbers of each value, that the operation was read off from: they prove nothing
+};
+
+// --- Values ---
+
+/// Every matrix of `side` rows; where there are none, all numbers of every input.
+std::vector<Value> values_of(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected, int side) {
+  std::vector<Value> values;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const std::size_t size = side > 0 ? std::size_t(side * side) : expected[i].size();
+    for (std::size_t at = 0; at < expected[i].size(); at += size) {
+      const auto part = [&](const Numbers& of) {
+        return Numbers(of.begin() + std::ptrdiff_t(at), of.begin() + std::ptrdiff_t(at + size));
+      };
+      values.push_back({part(yours[i]), part(expected[i])});
+    }
+  }
+  return values;
+}
+
+bool is_right(const Value& value, const Tolerance& tolerance) {
+  return std::equal(value.yours.begin(), value.yours.end(), value.expected.begin(),
+                    [&](double a, double b) { return within(a, b, tolerance); });
+}
+
+double length(const Numbers& numbers) {
+  double square = 0;
+  for (double x : numbers) square += x * x;
+  return std::sqrt(square);
+}
+
+Numbers scaled(Numbers numbers, double factor) {
+  for (double& x : numbers) x *= factor;
+  return numbers;
+}
+
+/// The same numbers in another order: the n-th is the of(n)-th of `numbers`.
+Numbers reordered(const Numbers& numbers, const std::function<std::size_t(std::size_t)>& of) {
+  Numbers result;
+  for (std::size_t n = 0; n < numbers.size(); ++n) result.push_back(numbers[of(n)]);
+  return result;
+}
+
+// --- Matrices, as their columns ---
+
+/// A 3x3 matrix fills the upper left of the identity.
+glm::dmat4 matrix_of(const Numbers& columns, int side) {
+  glm::dmat4 m(1);
+  for (int k = 0; k < side * side; ++k) m[k / side][k % side] = columns[std::size_t(k)];
+  return m;
+}
+
+Numbers columns_of(const glm::dmat4& m, int side) {
+  Numbers columns;
+  for (int k = 0; k < side * side; ++k) columns.push_back(m[k / side][k % side]);
+  return columns;
+}
+
+void add_matrices(std::vector<Operation>& all, int side) {
+  const auto whole = [&](const char* name, const char* what, const char* hint, auto change) {
+    all.push_back(
+        {name, what, hint, [=](const Value& v) { return columns_of(change(matrix_of(v.expected, side)), side); }});
+  };
+  whole("transposed", "the right matrix transposed",
+        "Rows stand where columns belong: m[3] is the fourth column, and a constructor fills the first column first.",
+        [](const glm::dmat4& m) { return glm::transpose(m); });
+  whole("inverse", "the inverse of the right matrix",
+        "From which space into which does the matrix lead? An angle or an offset of the wrong sign goes back, too.",
+        [](const glm::dmat4& m) { return glm::inverse(m); });
+  whole("inverse-transpose", "the inverse transpose of the right matrix",
+        "Normals want the inverse transpose; points and directions want the matrix itself.",
+        [](const glm::dmat4& m) { return glm::transpose(glm::inverse(m)); });
+
+  // Number k stands in column k / side and row k % side.
+  const auto row = [=](std::size_t k) { return int(k) % side; };
+  const auto column = [=](std::size_t k) { return int(k) / side; };
+  const auto lines = [&](const char* word, auto line_of, int step) {
+    for (int a = 0; a < side; ++a) {
+      all.push_back({fmt::format("negated-{}", word),
+                     fmt::format("the right matrix with its {} {} negated", ordinals[std::size_t(a)], word),
+                     "Look for one sign: a negated axis, or the order of the factors of a cross product.",
+                     [=](const Value& v) {
+                       Numbers numbers = v.expected;
+                       for (std::size_t k = 0; k < numbers.size(); ++k)
+                         if (line_of(k) == a) numbers[k] = -numbers[k];
+                       return numbers;
+                     }});
+      for (int b = a + 1; b < side; ++b)
+        all.push_back({fmt::format("swapped-{}s", word),
+                       fmt::format("the right matrix with its {} and {} {} exchanged", ordinals[std::size_t(a)],
+                                   ordinals[std::size_t(b)], word),
+                       "Look for two axes, or two indices, in the wrong order.", [=](const Value& v) {
+                         return reordered(v.expected, [&](std::size_t k) {
+                           const int other = line_of(k) == a ? b - a : line_of(k) == b ? a - b : 0;
+                           return std::size_t(int(k) + step * other);
+                         });
+                       }});
+    }
+  };
+  lines("row", row, 1);
+  lines("column", column, side);
+}
+
+// --- Two to four numbers ---
+
+void add_vectors(std::vector<Operation>& all, std::size_t size) {
+  for (std::size_t a = 0; a < size; ++a)
+    for (std::size_t b = a; b < size; ++b) {
+      if (a == b)
+        all.push_back({"negated-component", fmt::format("the right numbers with the {} negated", ordinals[a]),
+                       "Look for one sign: a negated axis, or the order of the factors of a cross product.",
+                       [=](const Value& v) {
+                         Numbers numbers = v.expected;
+                         numbers[a] = -numbers[a];
+                         return numbers;
+                       }});
+      else
+        all.push_back({"swapped-components",
+                       fmt::format("the right numbers with the {} and the {} exchanged", ordinals[a], ordinals[b]),
+                       "Look for two axes, or two arguments, in the wrong order.", [=](const Value& v) {
+                         return reordered(v.expected, [&](std::size_t k) { return k == a ? b : k == b ? a : k; });
+                       }});
+    }
+  if (size == 4) {
+    const char* const hint = "The contract says in which order the four stand; for a quaternion many write w first.";
+    all.push_back({"w-first", "the right numbers in the order w, x, y, z, where x, y, z, w is asked for", hint,
+                   [](const Value& v) { return reordered(v.expected, [](std::size_t k) { return (k + 3) % 4; }); }});
+    all.push_back({"w-last", "the right numbers in the order x, y, z, w, where w, x, y, z is asked for", hint,
+                   [](const Value& v) { return reordered(v.expected, [](std::size_t k) { return (k + 1) % 4; }); }});
+  }
+  all.push_back({"not-normalised", "the right direction, not normalised",
+                 "A direction is divided by its length at the end of what computes it.",
+                 [](const Value& v) {
+                   const bool unit = std::abs(length(v.expected) - 1) < unit_within;
+                   return unit ? scaled(v.expected, length(v.yours)) : v.expected;
+                 },
+                 0, 1});
+  all.push_back({"normalised", "the right direction, normalised", "The length counts here: do not divide by it.",
+                 [](const Value& v) {
+                   return length(v.expected) > 0 ? scaled(v.expected, 1 / length(v.expected)) : v.expected;
+                 }});
+}
+
+// --- Any numbers ---
+
+/// Whether the right numbers are of different sizes: one that is always the same fits every factor and constant.
+bool vary(const std::vector<Value>& values) {
+  const double first = std::abs(values.front().expected.front());
+  for (const Value& value : values)
+    for (double x : value.expected)
+      if (x != 0 && std::abs(std::abs(x) - first) > rounding * std::max(first, std::abs(x))) return true;
+  return false;
+}
+
+void add_factor(std::vector<Operation>& all, const std::vector<Value>& values) {
+  double expected = 0, yours = 0;  // the largest number: the factor is read off where rounding matters least
+  for (const Value& value : values)
+    for (std::size_t k = 0; k < value.expected.size(); ++k)
+      if (std::abs(value.expected[k]) > std::abs(expected)) expected = value.expected[k], yours = value.yours[k];
+  const double factor = yours / expected;
+  if (!std::isfinite(factor) || factor == 0 || std::abs(std::abs(factor) - 1) < least_change) return;
+  const std::string name = factor_name(factor, name_within);
+  const bool angle = name == "pi/180" || name == "180/pi";
+  all.push_back({"gain", fmt::format("{:.4g} times the right numbers{}", factor, name.empty() ? "" : " (" + name + ")"),
+                 angle ? "An angle is converted between degrees and radians once too often, or not at all."
+                       : "Look for a factor that is missing or applied twice.",
+                 [=](const Value& v) { return scaled(v.expected, factor); }, name.empty() ? 1 : 0});
+}
+
+void add_constant(std::vector<Operation>& all, const std::vector<Value>& values) {
+  const double constant = values.front().yours.front() - values.front().expected.front();
+  all.push_back(
+      {"offset",
+       fmt::format("the right numbers, each too {} by {:.4g}", constant > 0 ? "large" : "small", std::abs(constant)),
+       "Look for a constant that is missing or added twice: an index that starts at 1, a half pixel.",
+       [=](const Value& v) {
+         Numbers numbers = v.expected;
+         for (double& x : numbers) x += constant;
+         return numbers;
+       },
+       1});
+}
+
+std::vector<Operation> operations_for(const std::vector<Value>& values, int side) {
+  const std::size_t size = values.front().expected.size();
+  const bool alike =
+      std::all_of(values.begin(), values.end(), [&](const Value& v) { return v.expected.size() == size; });
+  std::vector<Operation> all;
+  if (side > 0) add_matrices(all, side);
+  all.push_back({"negated", "the right numbers with the wrong sign",
+                 "Which end of the arrow is which? Look at the order of a difference or of a cross product.",
+                 [](const Value& v) { return scaled(v.expected, -1); }});
+  if (side == 0 && alike && size >= 2 && size <= ordinals.size()) add_vectors(all, size);
+  if (vary(values)) {
+    add_factor(all, values);
+    add_constant(all, values);
+  }
+  return all;
+}
+
+// --- The verdict ---
+
+/// How many tolerances the worst number of a value is off once the operation is taken into account; infinite where that
+/// is more than one.
+double misfit(const Operation& operation, const Value& value, const Tolerance& tolerance) {
+  const Numbers would_be = operation.apply(value);
+  double largest = 0, worst = 0;
+  for (double x : would_be) largest = std::max(largest, std::abs(x));
+  Tolerance loose = tolerance;
+  loose.absolute += rounding * largest;
+  for (std::size_t k = 0; k < would_be.size(); ++k) {
+    const bool lost = std::isfinite(value.expected[k]) && !std::isfinite(would_be[k]);  // there is no inverse, say
+    const double times = times_tolerance(value.yours[k], would_be[k], loose);
+    if (lost || times > 1) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, times);
+  }
+  return worst;
+}
+
+/// How many numbers the operation moves away from what is expected, beyond those that it was read off from.
+int evidence(const Operation& operation, const std::vector<Value>& values, const Tolerance& tolerance) {
+  int all = -operation.taken;
+  for (const Value& value : values) {
+    const Numbers would_be = operation.apply(value);
+    int moved = 0;
+    for (std::size_t k = 0; k < would_be.size(); ++k) moved += !within(would_be[k], value.expected[k], tolerance);
+    all += std::max(0, moved - operation.taken_of_value);
+  }
+  return all;
+}
+
+double worst_misfit(const Operation& operation, const std::vector<Value>& values, const Tolerance& tolerance) {
+  double worst = 0;
+  for (const Value& value : values) worst = std::max(worst, misfit(operation, value, tolerance));
+  return worst;
+}
+
+}  // namespace
+
+std::optional<Hypothesis> explain_values(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected,
+                                         const JudgedCase& c) {
+  const int side = matrix_side(expected);
+  const std::vector<Value> all = values_of(yours, expected, side);
+  std::vector<Value> wrong = all;
+  std::erase_if(wrong, [&](const Value& value) { return is_right(value, c.tolerance); });
+  if (wrong.empty()) return std::nullopt;
+
+  std::vector<std::pair<double, Operation>> fitting;
+  for (Operation& operation : operations_for(wrong, side)) {
+    const double worst = worst_misfit(operation, wrong, c.tolerance);
+    if (worst <= 1 && evidence(operation, wrong, c.tolerance) >= least_evidence)
+      fitting.push_back({worst, std::move(operation)});
+  }
+  if (fitting.empty()) return std::nullopt;
+  const double best =
+      std::min_element(fitting.begin(), fitting.end(), [](auto& a, auto& b) { return a.first < b.first; })->first;
+  std::erase_if(fitting, [&](const auto& fit) { return fit.first > best + as_good; });
+
+  const Operation& first = fitting.front().second;
+  std::string what = first.what;
+  for (std::size_t i = 1; i < fitting.size(); ++i)
+    what += (i == 1 ? ", which here is also " : " and ") + fitting[i].second.what;
+  const bool everywhere = worst_misfit(first, all, c.tolerance) <= 1;
+  const std::string sentence =
+      fmt::format("{}{} returns {}.", everywhere ? "" : "Where it is wrong, ", c.ask.probe, what);
+  return Hypothesis{first.name, sentence, first.hint};
+}
+
+}  // namespace atelier::judge

@@ -1,0 +1,84 @@
+#include "judge/report/report_json.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/file.hpp"
+#include "base/strict_json.hpp"
+
+namespace atelier::judge {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;  // members in the order in which people read them
+
+OrderedJson number(double value) {
+  return OrderedJson(strict_json::from_number(value));
+}
+
+OrderedJson points(double value) {
+  return number(std::round(value * 1e6) / 1e6);
+}
+
+OrderedJson text_or_null(const std::optional<std::string>& text) {
+  return text ? OrderedJson(*text) : OrderedJson(nullptr);
+}
+
+OrderedJson colour(const Rgba& c) {
+  return {number(c.r), number(c.g), number(c.b), number(c.a)};
+}
+
+OrderedJson worst_json(const std::optional<Worst>& worst) {
+  if (!worst) return nullptr;
+  return {{"x", worst->x}, {"y", worst->y}, {"yours", colour(worst->yours)}, {"reference", colour(worst->reference)}};
+}
+
+OrderedJson case_json(const CaseResult& result) {
+  OrderedJson figures = OrderedJson::object();
+  for (const auto& [name, value] : result.figures) figures[name] = number(value);
+  return {{"name", result.name},
+          {"title", result.title},
+          {"status", to_string(result.status)},
+          {"score", points(result.score)},
+          {"max_score", points(result.max_score)},
+          {"reason", result.reason},
+          {"mistake", text_or_null(result.mistake)},
+          {"hint", result.hint},
+          {"asked", result.asked},
+          {"mistake_sentence", text_or_null(result.mistake_sentence)},
+          {"credit", result.credit},
+          {"command", result.command},
+          {"figures", std::move(figures)},
+          {"worst", worst_json(result.worst)},
+          {"table", result.table},
+          {"output", result.output}};
+}
+
+OrderedJson step_json(const StepResult& step) {
+  OrderedJson cases = OrderedJson::array();
+  for (const CaseResult& result : step.cases) cases.push_back(case_json(result));
+  return {{"step", step.step},
+          {"title", step.title},
+          {"score", points(step.score)},
+          {"max_score", points(step.max_score)},
+          {"references", step.references},
+          {"implementations", step.implementations},
+          {"build_log", step.build_log},
+          {"cases", std::move(cases)}};
+}
+
+}  // namespace
+
+std::string results_json(const SubmissionResult& result) {
+  OrderedJson steps = OrderedJson::array();
+  for (const StepResult& step : result.steps) steps.push_back(step_json(step));
+  const OrderedJson document = {{"submission", result.submission},       {"score", points(result.score)},
+                                {"max_score", points(result.max_score)}, {"steps", std::move(steps)},
+                                {"environment", result.environment},     {"notes", result.notes}};
+  return document.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+void write_results_json(const std::filesystem::path& file, const SubmissionResult& result) {
+  write_file(file, results_json(result));
+}
+
+}  // namespace atelier::judge

@@ -1,0 +1,210 @@
+#include "judge/report/report_terminal.hpp"
+
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <string_view>
+
+#include "base/columns.hpp"
+#include "base/printable.hpp"
+#include "judge/report/report_words.hpp"
+
+namespace atelier::judge {
+namespace {
+
+constexpr int label_width = 14;  // columns of the longest label, its indentation and a gap
+
+std::string_view variable(const char* name) {
+  const char* const value = std::getenv(name);
+  return value ? value : "";
+}
+
+// ---- colour and links
+
+constexpr const char* bold = "1";
+constexpr const char* dim = "2";
+
+std::string painted(std::string text, const char* code, const TerminalStyle& style) {
+  return style.colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
+}
+
+std::string linked(std::string text, const std::string& anchor, const TerminalStyle& style) {
+  if (style.report_url.empty()) return text;
+  return fmt::format("\x1b]8;;{}#{}\x1b\\{}\x1b]8;;\x1b\\", printable(style.report_url), anchor, text);
+}
+
+const char* colour_of(Status status) {
+  switch (status) {
+    case Status::passed:
+      return "32";  // green
+    case Status::failed:
+      return "31";  // red
+    case Status::missing:
+      return "33";  // yellow: nothing to judge
+    case Status::crashed:
+    case Status::timeout:
+    case Status::build_failed:
+      return "35";  // magenta: the program, rather than its answer
+  }
+  return "0";
+}
+
+std::string mark(Status status, const TerminalStyle& style) {
+  const bool passed = status == Status::passed;
+  const char* const sign = style.unicode ? (passed ? "\u2713" : "\u2717") : (passed ? "+" : "x");
+  return painted(sign, colour_of(status), style);
+}
+
+// ---- the parts of a report
+
+/// The name of a case, as a link to its place in the report, or how many cases a group has.
+std::string group_name(const StepResult& step, const CaseGroup& group, int width, const TerminalStyle& style) {
+  const std::string name = fitted(printable(group.size() > 1 ? cases_words(group) : group.front()->name), width);
+  return linked(name, case_anchor(step, *group.front()), style) + std::string(std::size_t(width - columns(name)), ' ');
+}
+
+std::string group_score(const CaseGroup& group) {
+  const Points sum = sum_of(group);
+  return points_text(sum.score) + "/" + points_text(sum.max_score);
+}
+
+std::string reason_words(const CaseResult& result) {
+  const std::string reason = printable(result.reason);
+  return result.status == Status::failed ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
+}
+
+/// A pass needs no words beside its name.
+std::string group_line(const StepResult& step, const CaseGroup& group, int name_width, int score_width,
+                       const TerminalStyle& style) {
+  const CaseResult& first = *group.front();
+  const int left = std::max(20, style.width - name_width - score_width - 8);
+  const std::string reason = first.status == Status::passed ? "" : "  " + fitted(reason_words(first), left);
+  return fmt::format("  {} {}  {:>{}}{}\n", mark(first.status, style), group_name(step, group, name_width, style),
+                     group_score(group), score_width, reason);
+}
+
+std::string step_table(const StepResult& step, const TerminalStyle& style) {
+  const std::vector<CaseGroup> groups = case_groups(step);
+  int name_width = 9, score_width = 3;
+  for (const CaseGroup& group : groups) {
+    if (group.size() == 1) name_width = std::clamp(columns(printable(group.front()->name)), name_width, 32);
+    score_width = std::max(score_width, int(group_score(group).size()));
+  }
+  const std::string score = step.max_score > 0 ? score_text(step.score, step.max_score) : "no points in this step";
+  std::string text = painted(printable(step.step), bold, style) + "  " + printable(step.title) + "  " +
+                     painted(score, bold, style) + "\n";
+  for (const auto& [of_step, who] : step.implementations) {
+    text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
+  }
+  if (step.references != "stored")
+    text += painted("  compared with " + printable(step.references) + " references", dim, style) + "\n";
+  for (const CaseGroup& group : groups) text += group_line(step, group, name_width, score_width, style);
+  return text;
+}
+
+std::string explanation(const StepResult& step, const CaseGroup& group, const TerminalStyle& style) {
+  const CaseResult& first = *group.front();
+  const bool several = group.size() > 1;
+  std::string text = "\n" + mark(first.status, style) + " " +
+                     linked(painted(printable(several ? cases_words(group) : first.name), bold, style),
+                            case_anchor(step, first), style) +
+                     "  " + printable(several ? status_words(first.status) : first.title) + "\n";
+  std::vector<Remark> said = remarks(group);
+  if (several) said.insert(said.begin(), {"cases", case_names(group)});
+  for (const Remark& remark : said) {
+    const bool verbatim = remark.label == "again";  // a command must be copied in one piece
+    const std::string words = printable(remark.text);
+    text += painted(padded("  " + remark.label, label_width), dim, style) +
+            (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";
+  }
+  if (!first.table.empty()) text += indented(printable(first.table, Layout::keep_lines), "    ");
+  if (style.heat_maps && first.evidence) text += indented(ascii_heat_map(first.evidence->over), "    ");
+  if (const std::string output = output_of(group); !output.empty()) {
+    text += painted("  the program said:", dim, style) + "\n";
+    text += indented(printable(output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+  }
+  return text;
+}
+
+}  // namespace
+
+bool can_link(int descriptor) {
+  return ::isatty(descriptor) == 1 && variable("TERM") != "dumb";
+}
+
+TerminalStyle terminal_style(int descriptor) {
+  TerminalStyle style;
+  style.colour = can_link(descriptor) && variable("NO_COLOR").empty();
+  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
+    if (variable(name).empty()) continue;
+    const std::string_view locale = variable(name);
+    style.unicode = locale.find("UTF-8") != locale.npos || locale.find("utf8") != locale.npos;
+    break;  // the first that is set counts
+  }
+  winsize window{};
+  if (::ioctl(descriptor, TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
+    style.width = std::max<int>(40, window.ws_col);
+  return style;
+}
+
+std::string terminal_report(const StepResult& step, const TerminalStyle& style) {
+  std::string text = step_table(step, style);
+  if (!step.build_log.empty()) {
+    text += painted("  the compiler said:", dim, style) + "\n";
+    text += indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+  }
+  for (const CaseGroup& group : case_groups(step))
+    if (group.front()->status != Status::passed) text += explanation(step, group, style);
+  return text;
+}
+
+std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style) {
+  std::string text;
+  for (const StepResult& step : result.steps) text += terminal_report(step, style) + "\n";
+  for (const std::string& note : result.notes) text += "passed over: " + printable(note) + "\n";
+  int passed = 0;
+  std::size_t cases = 0;
+  for (const StepResult& step : result.steps) passed += count(step, Status::passed), cases += step.cases.size();
+  return text + fmt::format("{}  {}, {} of {} cases passed\n", painted(printable(result.submission), bold, style),
+                            painted(score_text(result.score, result.max_score), bold, style), passed, cases);
+}
+
+std::string ascii_heat_map(const Image& errors, int columns_wanted) {
+  if (errors.empty()) return {};
+  constexpr std::string_view signs = " .:-=+*#%@";
+  const int width = std::clamp(columns_wanted, 1, errors.width());
+  // Letters are about twice as tall as wide.
+  const int height = std::clamp(int(double(errors.height()) * width / errors.width() / 2 + 0.5), 1, errors.height());
+  std::vector<double> means;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const int x0 = int(std::int64_t(column) * errors.width() / width);
+      const int x1 = int(std::int64_t(column + 1) * errors.width() / width);
+      const int y0 = int(std::int64_t(row) * errors.height() / height);
+      const int y1 = int(std::int64_t(row + 1) * errors.height() / height);
+      double sum = 0;
+      for (int y = y0; y < y1; ++y) {
+        for (int x = x0; x < x1; ++x) sum += std::min(1.0f, std::max(0.0f, errors.at(x, y).r));
+      }
+      means.push_back(sum / (double(x1 - x0) * (y1 - y0)));
+    }
+  }
+  const double largest = *std::max_element(means.begin(), means.end());
+  const std::string edge = "+" + std::string(std::size_t(width), '-') + "+\n";
+  std::string text = edge;
+  for (int row = 0; row < height; ++row) {
+    text += '|';
+    for (int column = 0; column < width; ++column) {
+      const double mean = means[std::size_t(row) * width + column];
+      const int level = mean > 0 ? 1 + int(mean / largest * double(signs.size() - 2)) : 0;
+      text += signs[std::size_t(std::min(level, int(signs.size()) - 1))];
+    }
+    text += "|\n";
+  }
+  return text + edge;
+}
+
+}  // namespace atelier::judge

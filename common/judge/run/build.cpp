@@ -1,0 +1,291 @@
+#include "judge/run/build.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <future>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/folder_lock.hpp"
+#include "base/near_names.hpp"
+#include "base/printable.hpp"
+#include "base/process.hpp"
+#include "base/strict_json.hpp"
+#include "judge/run/build_record.hpp"
+#include "judge/run/includes.hpp"
+
+namespace atelier::judge {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::milliseconds;
+using strict_json::Json;
+
+/// A list of texts, each at most 4096 bytes.
+std::vector<std::string> texts(const Json& value, const std::string& where) {
+  if (!value.is_array()) strict_json::refuse(value, where, "a list of texts");
+  std::vector<std::string> list;
+  for (const Json& item : value) list.push_back(strict_json::text(item, where, 4096));
+  return list;
+}
+
+std::map<std::string, std::vector<std::string>> texts_by_step(const Json& value, const std::string& where) {
+  if (!value.is_object()) strict_json::refuse(value, where, "an object with a list of texts for every step");
+  std::map<std::string, std::vector<std::string>> lists;
+  for (const auto& [step, list] : value.items()) lists[step] = texts(list, where + ": " + step);
+  return lists;
+}
+
+std::map<std::string, std::string> titles_by_step(const Json& value, const std::string& where) {
+  if (!value.is_object()) strict_json::refuse(value, where, "an object with a text for every step");
+  std::map<std::string, std::string> titles;
+  for (const auto& [step, title] : value.items()) titles[step] = strict_json::text(title, where + ": " + step);
+  return titles;
+}
+
+const std::vector<std::string>& files_of(const StepFlags& flags, const std::string& step) {
+  const auto found = flags.files.find(step);
+  if (found != flags.files.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [name, files] : flags.files) known.push_back(name);
+  throw Error(fmt::format("there is no step '{}'{}", step, suggestion(step, known)));
+}
+
+NotTaken missing_files(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+  NotTaken missing;
+  for (const std::string& name : files_of(flags, step))
+    if (const std::string why = why_not_taken(sources / name); !why.empty()) missing[name] = why;
+  return missing;
+}
+
+/// The includes that are not open to a step; the complaints, one a line.
+std::string check_includes(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+  const auto headers = flags.headers.find(step);
+  std::string log;
+  for (const std::string& name : files_of(flags, step))
+    if (name.ends_with(".cpp"))
+      log += refused_includes(read_file(sources / name, source_limit), name, step,
+                              headers == flags.headers.end() ? std::vector<std::string>{} : headers->second);
+  return log;
+}
+
+/// An older library would be taken for what these files do.
+void remove_older(const fs::path& library) {
+  std::error_code ignored;
+  fs::remove(library, ignored);
+}
+
+/// English messages with plain quotes, whatever the user's language, so that reports agree.
+std::map<std::string, std::string> compiler_environment() {
+  std::map<std::string, std::string> environment = {{"LC_ALL", "C"}};
+  for (const char* name : {"PATH", "HOME", "TMPDIR", "CCACHE_DIR"})
+    if (const char* value = std::getenv(name)) environment[name] = value;
+  return environment;
+}
+
+/// Runs a compiler or linker in the folder of the sources; its words come back in `log`, prefixed with what went wrong
+/// where it did not just say so itself.
+bool run_tool(std::vector<std::string> arguments, const fs::path& folder, const std::string& task,
+              milliseconds time_limit, std::string& log) {
+  const Finished finished = run_process({.arguments = std::move(arguments),
+                                         .folder = folder,
+                                         .environment = compiler_environment(),
+                                         .time_limit = time_limit,
+                                         .output_limit = log_limit});
+  log = printable(finished.output, Layout::keep_lines);
+  if (finished.timed_out)
+    log = fmt::format("{}: took longer than {} s and was ended\n", task, time_limit.count() / 1000.0) + log;
+  else if (finished.signal != 0)
+    log = fmt::format("{}: the compiler was ended: {}\n", task, signal_name(finished.signal)) + log;
+  else if (!finished.ok() && log.empty())
+    log = fmt::format("{}: failed with status {} and without a word\n", task, finished.exit_status);
+  return finished.ok();
+}
+
+void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+/// How far one command got.
+struct Outcome {
+  bool ok = false, fresh = false;
+  std::string log;
+};
+
+/// The options of a compile, and the folder of the step's contract to be searched for "blinn_phong.hpp": a student's
+/// file stands beside its contract, a submission or a patched solution does not.
+std::vector<std::string> compile_options(const StepFlags& flags, const std::string& step) {
+  std::vector<std::string> options = flags.compile;
+  for (const std::string& option : flags.compile)
+    if (option.starts_with("-I") && fs::is_directory(fs::path(option.substr(2)) / step))
+      append(options, {"-iquote", option.substr(2) + "/" + step});
+  return options;
+}
+
+/// What the compiler's own list of dependencies leaves out: the headers that the options include, precompiled or not.
+std::vector<std::string> included_by_options(const StepFlags& flags) {
+  std::vector<std::string> headers;
+  for (std::size_t i = 1; i < flags.compile.size(); ++i)
+    if (flags.compile[i - 1] == "-include")
+      for (const std::string& header : {flags.compile[i], flags.compile[i] + ".gch"})
+        if (fs::exists(header)) headers.push_back(header);
+  return headers;
+}
+
+/// One .cpp file into one object.
+Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
+                const fs::path& objects, milliseconds time_limit) {
+  const fs::path dependencies = objects / (source + ".d");
+  Recipe recipe{.command = {flags.compiler}, .folder = sources, .product = objects / (source + ".o")};
+  append(recipe.command, compile_options(flags, step));
+  append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
+  if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
+
+  require_space(objects, space_to_work);
+  forget_record(recipe);
+  const Inputs before = fingerprints({source}, sources);
+  const auto begin = fs::file_time_type::clock::now();
+  Outcome outcome{.ok = false, .fresh = true, .log = {}};
+  outcome.ok = run_tool(recipe.command, sources, source, time_limit, outcome.log);
+  if (!outcome.ok) return outcome;
+
+  // What was edited while the compiler ran is not what the object is made of: then no record, and the next build asks
+  // the compiler again.
+  std::vector<std::string> read = included_by_options(flags);
+  append(read, read_dependencies(dependencies));
+  const Inputs inputs = fingerprints(read, sources);
+  const bool steady = std::all_of(inputs.begin(), inputs.end(), [&](const auto& input) {
+    if (input.first == source) return input == before.front();
+    std::error_code error;
+    return fs::last_write_time(sources / input.first, error) < begin && !error;
+  });
+  if (steady) write_record(recipe, inputs, outcome.log);
+  return outcome;
+}
+
+/// All .cpp files, two at a time: more would not help on the smallest machines that the course is taught on.
+std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step, const fs::path& sources,
+                                 const std::vector<std::string>& names, const fs::path& objects,
+                                 milliseconds time_limit) {
+  std::vector<Outcome> done(names.size());
+  const auto every_second = [&](std::size_t first) {
+    for (std::size_t i = first; i < names.size(); i += 2)
+      done[i] = compile(flags, step, sources, names[i], objects, time_limit);
+  };
+  std::future<void> other;
+  if (names.size() > 1) other = std::async(std::launch::async, every_second, 1);
+  every_second(0);
+  if (other.valid()) other.get();
+  return done;
+}
+
+/// Links beside the library and renames: a program that has the old one loaded keeps it.
+Outcome link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
+             const fs::path& library, milliseconds time_limit) {
+  Recipe recipe{.command = {flags.compiler}, .folder = objects, .product = library};
+  std::vector<std::string> inputs;
+  for (const std::string& name : names) inputs.push_back(name + ".o");
+  append(recipe.command, inputs);
+  append(recipe.command, flags.link);
+  if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
+
+  forget_record(recipe);
+  const fs::path partial = objects / fmt::format("{}.{}", library.filename().string(), ::getpid());
+  std::vector<std::string> command = recipe.command;
+  append(command, {"-o", partial.string()});
+  Outcome outcome{.ok = false, .fresh = true, .log = {}};
+  outcome.ok = run_tool(command, objects, "linking", time_limit, outcome.log);
+  if (!outcome.ok) return outcome;
+  std::error_code error;
+  fs::rename(partial, library, error);
+  if (error) throw Error(fmt::format("{}: cannot be written: {}", library.string(), error.message()));
+  write_record(recipe, fingerprints(inputs, objects), outcome.log);
+  return outcome;
+}
+
+std::string bounded(const std::string& log) {
+  constexpr std::string_view cut = "\n(more was left out)\n";
+  return log.size() <= log_limit ? log : shorten(log, log_limit - cut.size()) + std::string(cut);
+}
+
+}  // namespace
+
+StepFlags read_step_flags(const fs::path& file) {
+  const std::string where = file.string();
+  const Json json = strict_json::parse(read_file(file, 1 << 20), where);
+  strict_json::refuse_unknown(
+      json, {"compiler", "compiler_version", "compile", "link", "files", "headers", "uses", "titles"}, where);
+  StepFlags flags;
+  flags.compiler = strict_json::text(strict_json::required(json, "compiler", where), where + ": compiler", 4096);
+  flags.compiler_version =
+      strict_json::text(strict_json::required(json, "compiler_version", where), where + ": compiler_version");
+  flags.compile = texts(strict_json::required(json, "compile", where), where + ": compile");
+  flags.link = texts(strict_json::required(json, "link", where), where + ": link");
+  flags.files = texts_by_step(strict_json::required(json, "files", where), where + ": files");
+  flags.headers = texts_by_step(strict_json::required(json, "headers", where), where + ": headers");
+  flags.uses = texts_by_step(strict_json::required(json, "uses", where), where + ": uses");
+  flags.titles = titles_by_step(strict_json::required(json, "titles", where), where + ": titles");
+  for (const auto& [step, names] : flags.files)
+    for (const std::string& name : names)
+      if (fs::path(name).filename() != name || name.front() == '.' || name.front() == '-')
+        throw Error(fmt::format("{}: files: {}: '{}' must be the plain name of a file", where, step, name));
+  return flags;
+}
+
+Built not_built(const NotTaken& files) {
+  Built built;
+  built.log = in_words(files) + ": the step is built from all its files.\n";
+  built.not_taken = files;
+  return built;
+}
+
+Built build_step(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& out,
+                 milliseconds time_limit) {
+  const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
+  std::error_code error;
+  fs::create_directories(objects, error);
+  if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
+  const FolderLock lock(folder);  // `watch` and `check` may build the same step at once
+  if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
+    remove_older(library);
+    return not_built(missing);
+  }
+  Built built;
+  built.log = check_includes(flags, step, sources);
+  if (built.log.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& name : files_of(flags, step))
+      if (name.ends_with(".cpp")) names.push_back(name);
+
+    std::vector<Outcome> done = compile_all(flags, step, fs::absolute(sources), names, objects, time_limit);
+    const auto succeeded = [](const Outcome& s) { return s.ok; };
+    built.ok = std::all_of(done.begin(), done.end(), succeeded);
+    if (built.ok && !names.empty()) done.push_back(link(flags, names, objects, library, time_limit));
+    for (const Outcome& s : done) {
+      built.ok = built.ok && s.ok;
+      built.fresh = built.fresh || s.fresh;
+      built.log += s.log;
+    }
+  }
+  built.log = bounded(built.log);
+  if (!built.ok) {
+    remove_older(library);
+    require_space(folder, space_left);
+    // Compilers leave their own files there.
+    if (const fs::path theirs = fs::temp_directory_path(error); !error) require_space(theirs, space_left);
+  }
+  return built;
+}
+
+NotTaken take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources,
+                         const fs::path& folder) {
+  const NotTaken missing = missing_files(flags, step, sources);
+  for (const std::string& name : files_of(flags, step))
+    if (!missing.contains(name)) write_file(folder / name, read_file(sources / name, source_limit));
+  return missing;
+}
+
+}  // namespace atelier::judge
