@@ -73,7 +73,7 @@ StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& o
 StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
                      const std::vector<judge::Mistake>& mistakes)
     : file_(read_selected(criteria, mistakes, only)),
-      references_(file_.step, mistakes, criteria.cases.parent_path(), criteria.reference_cache) {}
+      references_(file_.step, mistakes, judge::references_folder(criteria.cases), criteria.reference_cache) {}
 
 StepResult StepJudge::empty_result() const {
   StepResult result;

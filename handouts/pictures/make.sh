@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Draws the handouts' pictures again with the finished solutions, after a step's scenes have changed.
 #
-#   handouts/pictures/make.sh [BUILD_FOLDER]     (build/release by default; needs ImageMagick)
+#   handouts/pictures/make.sh [BUILD_FOLDER]     (build/release by default; needs ImageMagick and jq)
 #
 # One is an animation: the light that goes round in step 03.
 #
-# The small pictures of mistakes are those that the judge compares answers with: tests/cases/*/atlas.
+# The small pictures of mistakes are those that the judge compares answers with: tests/cases/*/references/*.atlas.png.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -51,11 +51,23 @@ part() {
   for name in "$@"; do mogrify -crop "$geometry" +repage "$scratch/$name.png"; done
 }
 
+# tile_of_atlas STEP CASE MISTAKE: the mistake's picture out of the case's atlas, as $scratch/CASE--MISTAKE.png
+tile_of_atlas() {
+  local folder="$root/tests/cases/$1/references" count row
+  count=$(jq '.atlas | length' "$folder/$2.json")
+  row=$(jq --arg mistake "$3" '.atlas | index($mistake)' "$folder/$2.json")
+  [[ $row != null ]] || { echo "$folder/$2.json: its atlas has no '$3'" >&2; exit 1; }
+  convert "$folder/$2.atlas.png" -crop "1x$count@" +repage "$scratch/atlas-%d.png"
+  mv "$scratch/atlas-$row.png" "$scratch/$2--$3.png"
+}
+
 # mistakes STEP NAME CASE--MISTAKE...: a labelled sheet
 mistakes() {
   local step=$1 name=$2 tile arguments=()
   shift 2
-  for tile in "$@"; do arguments+=(-label "${tile#*--}" "$root/tests/cases/$step/atlas/$tile.png"); done
+  for tile in "$@"; do
+    tile_of_atlas "$step" "${tile%%--*}" "${tile#*--}" && arguments+=(-label "${tile#*--}" "$scratch/$tile.png")
+  done
   montage -font DejaVu-Sans -pointsize 9 -geometry 104x104+3+3 -tile 4x "${arguments[@]}" "$scratch/$name.png"
   convert "$scratch/$name.png" +dither -colors 255 "${same[@]}" "PNG8:$out/$name.png"
 }

@@ -182,7 +182,7 @@ TEST_CASE("references are the ground truth, or say why they are not", "[truth]")
     REQUIRE(solution.built);
     const std::vector<JudgedCase> cases = pictures_of(step);
     const auto truth = truths(workshop, solution, with_edges(asks_of(cases)));
-    const judge::StepReferences references(step.name, {}, folders().case_file(step.name).parent_path(), {});
+    const judge::StepReferences references(step.name, {}, judge::references_folder(folders().case_file(step.name)), {});
     for (const JudgedCase& c : cases) {
       if (!truth.contains(c.ask.name)) {
         INFO(step.name << ", " << c.ask.name << ": the program has no truth for it");
@@ -224,7 +224,7 @@ TEST_CASE("mipmaps come close to what supersampling shows", "[truth]") {
   std::erase_if(cases, [](const JudgedCase& c) { return c.truth_differs.find("ipmaps") == std::string::npos; });
   REQUIRE(cases.size() >= 4);
   const auto smooth = truths(workshop, solution, asks_of(cases), 8), sharp = truths(workshop, solution, asks_of(cases));
-  const judge::StepReferences references(step->name, {}, folders().case_file(step->name).parent_path(), {});
+  const judge::StepReferences references(step->name, {}, judge::references_folder(folders().case_file(step->name)), {});
   for (const JudgedCase& c : cases) {
     const auto compared = [&](const Image& image) { return as_compared(image, closeness(c)); };
     const Image reference = compared(references.of(c).pictures.at(0)), exact = compared(smooth.at(c.ask.name));

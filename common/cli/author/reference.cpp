@@ -101,10 +101,7 @@ std::set<fs::path> files_of(const fs::path& folder, const JudgedCase& c) {
     add(folder / c.references.front().filename());
     add(judge::sidecar_path(folder / c.references.front().filename()));
   }
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(folder / "atlas", none))
-    if (entry.path().filename().string().starts_with(c.ask.name + "--") && entry.path().extension() != ".new")
-      add(entry.path());
+  add(judge::atlas_path(folder, c.ask.name));
   return files;
 }
 
@@ -179,8 +176,8 @@ std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseS
 
   std::vector<ReferenceRow> rows(judge.cases().size());
   for_each_parallel(rows.size(), worker_threads(), [&](std::size_t i) {
-    rows[i] =
-        make_one(folders.cases() / step.name, judge.cases()[i], material_of(drawn, i, environment), options.check);
+    rows[i] = make_one(judge::references_folder(folders.case_file(step.name)), judge.cases()[i],
+                       material_of(drawn, i, environment), options.check);
     rows[i].step = step.name;
   });
   return rows;

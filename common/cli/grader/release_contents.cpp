@@ -168,7 +168,8 @@ class Packer {
   }
 
   void pack_cases(const CourseStep& step) {
-    const VisibleCases visible = visible_cases(folders_.case_file(step.name), pack_mistakes(step));
+    pack_mistakes(step);
+    const VisibleCases visible = visible_cases(folders_.case_file(step.name));
     put("tests/cases/" + step.name + "/cases.json", visible.text);
     for (const fs::path& file : visible.files) take(fs::relative(file, folders_.root).generic_string());
     pack_hints(step, visible);
@@ -194,19 +195,15 @@ class Packer {
     put("tests/cases/" + step.name + "/hints.json", hints.dump(2) + "\n");
   }
 
-  /// What a verdict says of each mistake, and not how it is made. Returns their names.
-  std::set<std::string> pack_mistakes(const CourseStep& step) {
+  /// What a verdict says of each mistake, and not how it is made.
+  void pack_mistakes(const CourseStep& step) {
     const fs::path file = folders_.mistakes_file(step.name);
-    std::set<std::string> names;
-    if (!fs::exists(file)) return names;
+    if (!fs::exists(file)) return;
     OrderedJson list = OrderedJson::array();
-    for (const judge::Mistake& mistake : judge::read_mistakes(file, judge::Patches::optional)) {
-      names.insert(mistake.name);
+    for (const judge::Mistake& mistake : judge::read_mistakes(file, judge::Patches::optional))
       list.push_back(
           {{"name", mistake.name}, {"title", mistake.title}, {"sentence", mistake.sentence}, {"hint", mistake.hint}});
-    }
     put("tests/mistakes/" + step.name + "/mistakes.json", list.dump(2) + "\n");
-    return names;
   }
 
   void pack_solution(const CourseStep& step) {

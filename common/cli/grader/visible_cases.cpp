@@ -28,8 +28,7 @@ std::string without_hidden(const std::string& text, const std::set<std::string>&
   return document.dump(2) + "\n";
 }
 
-void add_files_of(const judge::JudgedCase& c, const fs::path& folder, const std::set<std::string>& mistakes,
-                  std::set<fs::path>& files) {
+void add_files_of(const judge::JudgedCase& c, const fs::path& folder, std::set<fs::path>& files) {
   const auto add = [&](const fs::path& file, bool needed) {
     if (fs::exists(file))
       files.insert(file);
@@ -45,12 +44,12 @@ void add_files_of(const judge::JudgedCase& c, const fs::path& folder, const std:
     add(picture, true);
     add(judge::sidecar_path(picture), true);
   }
-  for (const std::string& mistake : mistakes) add(judge::atlas_path(folder, c.ask.name, mistake), false);
+  add(judge::atlas_path(folder, c.ask.name), false);
 }
 
 }  // namespace
 
-VisibleCases visible_cases(const fs::path& case_file, const std::set<std::string>& mistakes) {
+VisibleCases visible_cases(const fs::path& case_file) {
   VisibleCases visible;
   std::set<std::string> hidden;
   for (judge::JudgedCase& c : judge::read_case_file(case_file).cases) {
@@ -59,7 +58,7 @@ VisibleCases visible_cases(const fs::path& case_file, const std::set<std::string
       visible.hidden_points += c.points;
       continue;
     }
-    add_files_of(c, case_file.parent_path(), mistakes, visible.files);
+    add_files_of(c, judge::references_folder(case_file), visible.files);
     visible.cases.push_back(std::move(c));
   }
   if (visible.cases.empty())

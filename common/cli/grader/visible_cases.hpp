@@ -13,13 +13,12 @@ namespace atelier {
 struct VisibleCases {
   std::string text;  ///< cases.json without the hidden cases and without the word
   std::vector<judge::JudgedCase> cases;
-  std::set<std::filesystem::path> files;  ///< references, sidecars, atlas; below the case file's folder
+  std::set<std::filesystem::path> files;  ///< references, sidecars, atlases
   int hidden = 0;                         ///< how many there are
   double hidden_points = 0;
 };
 
-/// `mistakes` are the names whose pictures in the atlas are taken. Throws Error where the file is broken, where a
-/// reference is missing, and where every case is hidden.
-VisibleCases visible_cases(const std::filesystem::path& case_file, const std::set<std::string>& mistakes);
+/// Throws Error where the file is broken, where a reference is missing, and where every case is hidden.
+VisibleCases visible_cases(const std::filesystem::path& case_file);
 
 }  // namespace atelier

@@ -187,6 +187,10 @@ std::string read_step(const Json& value, const std::string& where) {
 
 }  // namespace
 
+fs::path references_folder(const fs::path& case_file) {
+  return case_file.parent_path() / "references";
+}
+
 CaseFile read_case_file(const fs::path& path) {
   const std::string where = printable(path.string());
   const Json document = strict_json::parse(read_file(path, max_file), where);
@@ -197,7 +201,7 @@ CaseFile read_case_file(const fs::path& path) {
   file.title = strict_json::text(strict_json::required(document, "title", where), where + ": title", 120);
   std::set<std::string> names;
   for (const Json& object : objects) {
-    file.cases.push_back(read_case(object, where, path.parent_path()));
+    file.cases.push_back(read_case(object, where, references_folder(path)));
     const std::string& name = file.cases.back().ask.name;
     if (!names.insert(name).second) throw Error(fmt::format("{}: two cases are named '{}'", where, name));
   }

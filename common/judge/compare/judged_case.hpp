@@ -107,11 +107,11 @@ struct JudgedCase {
   std::optional<Choice> choice;  ///< a budget case: compared with the truth by error and cost, not by profile
   std::string reason;         ///< why delta, budget and mask are what they are; required where they are not the default
   std::string truth_differs;  ///< why the reference is not what --truth traces; empty where it is
-  std::vector<std::filesystem::path> references;  ///< accepted pictures; the case file's folder stands before the name
+  std::vector<std::filesystem::path> references;  ///< accepted pictures, in the folder of references
 
   // Of a probe
   std::vector<Numbers> expected;        ///< one list an input; empty where they stand in expected_file
-  std::filesystem::path expected_file;  ///< NAME.values.json beside the case file, or empty
+  std::filesystem::path expected_file;  ///< NAME.values.json among the references, or empty
   Tolerance tolerance;
 };
 
@@ -122,6 +122,9 @@ struct CaseFile {
   std::string title;
   std::vector<JudgedCase> cases;
 };
+
+/// Where the references of a case file's cases are: references/ beside it.
+std::filesystem::path references_folder(const std::filesystem::path& case_file);
 
 /// Reads and checks tests/cases/NN-name/cases.json. Throws Error naming the file, the case, the field, the value and
 /// what is allowed. Does not read the references.

@@ -188,26 +188,33 @@ Depth depth_for(const JudgedCase& c, const Image& picture) {
   return Depth::half;
 }
 
-void write_atlas_pictures(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
-                          const Right& right, MadeReference& made) {
-  if (c.choice) return;  // what is too dear looks like the truth: a choice is no picture to be recognised by
-  std::set<std::filesystem::path> current;
-  for (const auto& [mistake, answer] : material.mistakes) {
-    // A mistake that this case does not see has nothing to be recognised by.
-    const bool drawn = answer.ended == Answer::Ended::normally && answer.pixels &&
-                       answer.pixels->same_size(right.raw) && find_non_finite(*answer.pixels).count == 0;
-    if (!drawn || made.margins.at(mistake) < 1) continue;
-    const std::filesystem::path file = atlas_path(folder, c.ask.name, mistake);
-    const Image picture = make_atlas_picture(compared_form(*answer.pixels, c), right.picture, c.unit);
-    write_image(file, picture, {Encoding::data, Depth::bits8});
-    current.insert(file);
-    made.written.push_back(file);
+/// Writes the pictures of the mistakes that this case sees, one below the other; returns their names in this order.
+std::vector<std::string> write_atlas(const std::filesystem::path& folder, const JudgedCase& c,
+                                     const ReferenceMaterial& material, const Right& right, MadeReference& made) {
+  std::vector<std::string> names;
+  std::vector<Rgba> pixels;
+  Image picture;
+  if (!c.choice)  // what is too dear looks like the truth: a choice is no picture to be recognised by
+    for (const auto& [mistake, answer] : material.mistakes) {
+      // A mistake that this case does not see has nothing to be recognised by.
+      const bool drawn = answer.ended == Answer::Ended::normally && answer.pixels &&
+                         answer.pixels->same_size(right.raw) && find_non_finite(*answer.pixels).count == 0;
+      if (!drawn || made.margins.at(mistake) < 1) continue;
+      picture = make_atlas_picture(compared_form(*answer.pixels, c), right.picture, c.unit);
+      pixels.insert(pixels.end(), picture.pixels().begin(), picture.pixels().end());
+      names.push_back(mistake);
+    }
+  const std::filesystem::path file = atlas_path(folder, c.ask.name);
+  if (names.empty()) {
+    std::error_code ignored;
+    std::filesystem::remove(file, ignored);
+    return names;
   }
-  std::error_code ignored;
-  const std::string prefix = c.ask.name + "--";
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "atlas", ignored))
-    if (entry.path().filename().string().starts_with(prefix) && !current.contains(entry.path()))
-      std::filesystem::remove(entry.path(), ignored);
+  Image atlas(picture.width(), picture.height() * int(names.size()));
+  std::copy(pixels.begin(), pixels.end(), atlas.pixels().begin());
+  write_image(file, atlas, {Encoding::data, Depth::bits8});
+  made.written.push_back(file);
+  return names;
 }
 
 void write_picture(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
@@ -217,10 +224,10 @@ void write_picture(const std::filesystem::path& folder, const JudgedCase& c, con
   const Encoding encoding = c.unit == Unit::colour ? Encoding::linear : Encoding::data;
   const Depth depth = file.extension() == ".exr" ? depth_for(c, right.raw) : Depth::automatic;
   write_image(file, right.raw, {encoding, depth});
-  sidecar.sha256 = sha256(read_file(file));
-  write_sidecar(sidecar_path(file), sidecar);
   made.written = {file, sidecar_path(file)};
-  write_atlas_pictures(folder, c, material, right, made);
+  sidecar.sha256 = sha256(read_file(file));
+  sidecar.atlas = write_atlas(folder, c, material, right, made);
+  write_sidecar(sidecar_path(file), sidecar);
 }
 
 void write_values(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,

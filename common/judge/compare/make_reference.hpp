@@ -32,8 +32,9 @@ struct MadeReference {
   std::vector<std::filesystem::path> written;
 };
 
-/// Checks and writes the reference of `c` (its first one), its sidecar and its part of the atlas below `folder`; atlas
-/// files of mistakes that are no more are removed. Writes nothing unless all is well. Throws Error naming the case and
+/// Checks and writes the reference of `c` (its first one), its sidecar and its atlas into `folder`, NN-name/references;
+/// an atlas that holds no mistake any more is removed. Writes nothing unless all is well. Throws Error naming the case
+/// and
 /// - what is wrong with the solution's answer: none, another size, values that are not finite, a single colour, and for
 /// the
 ///   exact profile a value on the border between two 8-bit levels, which another processor would round the other way;

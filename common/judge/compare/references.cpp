@@ -34,17 +34,12 @@ void require_file(const std::filesystem::path& file, const JudgedCase& c, const 
                           file.string(), c.ask.name, step));
 }
 
-/// Pictures of the atlas that belong to a case: the mistake's name and the file, sorted by name.
-std::map<std::string, std::filesystem::path> atlas_files(const std::filesystem::path& folder, const std::string& name) {
-  std::map<std::string, std::filesystem::path> files;
-  std::error_code ignored;
-  const std::string prefix = name + "--";
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "atlas", ignored)) {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".png" && stem.starts_with(prefix))
-      files[stem.substr(prefix.size())] = entry.path();
-  }
-  return files;
+/// One of equally high pictures that lie one below the other.
+Image picture_in_atlas(const Image& atlas, int index, int height) {
+  Image picture(atlas.width(), height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < atlas.width(); ++x) picture.at(x, y) = atlas.at(x, index * height + y);
+  return picture;
 }
 
 }  // namespace
@@ -152,11 +147,14 @@ CaseAtlas StepReferences::load_atlas(const JudgedCase& c) const {
   }
   const Image right = compared_form(of(c).pictures.at(0), c);
   const Image reference = make_atlas_picture(right, right, c.unit);
-  for (const auto& [mistake, file] : atlas_files(folder_, c.ask.name)) {
-    Image picture = cached_picture(cache_, file, "atlas", [&] { return read_image(file, Encoding::data); });
-    check_size(picture, {reference.width(), reference.height()}, file);
-    atlas.pictures.push_back({mistake, std::move(picture), reference});
-  }
+  const std::vector<std::string> mistakes = read_sidecar(sidecar_path(folder_ / c.references.front().filename())).atlas;
+  if (mistakes.empty()) return atlas;
+  const std::filesystem::path file = atlas_path(folder_, c.ask.name);
+  require_file(file, c, step_);
+  const Image pictures = cached_picture(cache_, file, "atlas", [&] { return read_image(file, Encoding::data); });
+  check_size(pictures, {reference.width(), reference.height() * int(mistakes.size())}, file);
+  for (std::size_t i = 0; i < mistakes.size(); ++i)
+    atlas.pictures.push_back({mistakes[i], picture_in_atlas(pictures, int(i), reference.height()), reference});
   return atlas;
 }
 

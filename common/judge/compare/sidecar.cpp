@@ -69,10 +69,11 @@ std::string to_string(Unit unit) {
 Sidecar read_sidecar(const std::filesystem::path& file) {
   const std::string where = file.string();
   const Json json = strict_json::parse(read_file(file), where);
-  strict_json::refuse_unknown(json,
-                              {"schema", "case", "profile", "unit", "delta", "budget", "exposure", "mask", "regions",
-                               "reason", "sha256", "environment", "skeleton_share", "nearest", "margin", "results"},
-                              where);
+  strict_json::refuse_unknown(
+      json,
+      {"schema", "case", "profile", "unit", "delta", "budget", "exposure", "mask", "regions", "reason", "sha256",
+       "environment", "skeleton_share", "nearest", "margin", "results", "atlas"},
+      where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   const auto at = [&](const char* name) { return where + ": " + name; };
   strict_json::whole(member("schema"), at("schema"), schema, schema);
@@ -105,6 +106,10 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   sidecar.sha256 = strict_json::name(member("sha256"), at("sha256"), "");
   if (const Json* reason = strict_json::optional(json, "reason"))
     sidecar.reason = strict_json::text(*reason, at("reason"));
+  if (const Json* atlas = strict_json::optional(json, "atlas")) {
+    if (!atlas->is_array()) strict_json::refuse(*atlas, at("atlas"), "a list of names of mistakes");
+    for (const Json& name : *atlas) sidecar.atlas.push_back(strict_json::name(name, at("atlas")));
+  }
   return sidecar;
 }
 
@@ -127,6 +132,7 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar) {
   json["margin"] = sidecar.margin;
   if (sidecar.nearest) json["nearest"] = *sidecar.nearest;
   json["environment"] = sidecar.environment;
+  if (!sidecar.atlas.empty()) json["atlas"] = sidecar.atlas;
   if (!sidecar.values.empty()) json["results"] = write_results(sidecar.values);
   write_file(file, json.dump(2) + "\n");
 }
@@ -177,12 +183,11 @@ std::filesystem::path sidecar_path(const std::filesystem::path& picture) {
 std::filesystem::path values_path(const std::filesystem::path& folder, const std::string& case_name) {
   return folder / (case_name + ".values.json");
 }
-std::filesystem::path atlas_path(const std::filesystem::path& folder, const std::string& case_name,
-                                 const std::string& mistake) {
-  return folder / "atlas" / (case_name + "--" + mistake + ".png");
+std::filesystem::path atlas_path(const std::filesystem::path& folder, const std::string& case_name) {
+  return folder / (case_name + ".atlas.png");
 }
 std::filesystem::path wrong_values_path(const std::filesystem::path& folder, const std::string& case_name) {
-  return folder / "atlas" / (case_name + ".values.json");
+  return folder / (case_name + ".mistakes.json");
 }
 
 }  // namespace atelier::judge

@@ -1,10 +1,12 @@
 // What stands beside a reference: how it was made, for which tolerance, and how far the nearest mistake is.
 //
-//   tests/cases/NN-name/sphere.exr           the picture as the solution drew it: linear colour, or data
-//   tests/cases/NN-name/sphere.json          its sidecar
-//   tests/cases/NN-name/look-at.values.json  of a probe: the sidecar, with the numbers in it where they were made
-//   tests/cases/NN-name/atlas/sphere--rv-for-nh.png    what a known mistake draws, encoded, at half size
-//   tests/cases/NN-name/atlas/look-at.values.json      what known mistakes answer to a probe
+//   tests/cases/NN-name/references/sphere.exr             the picture as the solution drew it: linear colour, or data
+//   tests/cases/NN-name/references/sphere.json            its sidecar
+//   tests/cases/NN-name/references/sphere.atlas.png       what known mistakes draw, encoded, at half size, one below
+//   the
+//                                                         other in the order of the sidecar's "atlas"
+//   tests/cases/NN-name/references/look-at.values.json    of a probe: the sidecar, with the numbers where they were
+//   made tests/cases/NN-name/references/look-at.mistakes.json  what known mistakes answer to a probe
 #pragma once
 
 #include <filesystem>
@@ -35,6 +37,7 @@ struct Sidecar {
   double skeleton_share = 1;           ///< f1: share of pixels (or inputs) that the untouched skeleton fails
   std::optional<std::string> nearest;  ///< the claimed mistake that lies nearest, and
   double margin = 0;                   ///< how many tolerances away it still fails; at least 2
+  std::vector<std::string> atlas;      ///< the mistakes whose pictures the atlas holds, from top to bottom
 
   std::vector<Numbers> values;  ///< of a probe whose case file leaves them to the reference; else empty
 };
@@ -54,9 +57,8 @@ void write_wrong_values(const std::filesystem::path& file, const WrongValues& va
 /// "sphere.json" beside "sphere.exr"; for a probe "look-at.values.json".
 std::filesystem::path sidecar_path(const std::filesystem::path& picture);
 std::filesystem::path values_path(const std::filesystem::path& folder, const std::string& case_name);
-/// "atlas/sphere--rv-for-nh.png" and "atlas/look-at.values.json".
-std::filesystem::path atlas_path(const std::filesystem::path& folder, const std::string& case_name,
-                                 const std::string& mistake);
+/// "sphere.atlas.png" and "look-at.mistakes.json".
+std::filesystem::path atlas_path(const std::filesystem::path& folder, const std::string& case_name);
 std::filesystem::path wrong_values_path(const std::filesystem::path& folder, const std::string& case_name);
 
 /// "strict", "colour" ...: the words of the case file.

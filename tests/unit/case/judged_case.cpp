@@ -67,7 +67,7 @@ TEST_CASE("a picture case takes its defaults") {
   CHECK(c.budget == 4);
   CHECK(c.exposure == 1);
   REQUIRE(c.references.size() == 1);
-  CHECK(c.references[0] == file.path.parent_path() / "sphere.exr");
+  CHECK(c.references[0] == file.path.parent_path() / "references/sphere.exr");
 }
 
 TEST_CASE("a picture case takes every member") {

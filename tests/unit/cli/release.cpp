@@ -85,14 +85,13 @@ struct Project {
     write("steps/01-move/move.cpp", secret);  // somebody's work: never a skeleton
     write("tests/cases/01-move/cases.json", cases_of_move);
     for (const char* name : {"near", "far-and-secret", "shown"}) {
-      for (const char* ending : {".exr", ".json"}) write(std::string("tests/cases/01-move/") + name + ending, name);
-      write(std::string("tests/cases/01-move/atlas/") + name + "--backwards.png", name);
+      for (const char* ending : {".exr", ".json", ".atlas.png"})
+        write(std::string("tests/cases/01-move/references/") + name + ending, name);
     }
-    write("tests/cases/01-move/atlas/near--forgotten.png", "a mistake that is no more");
     write("tests/cases/01-move/hints.json", R"({"schema": 1, "step": "01-move", "functions": {
       "go_near": ["Go.", "Near."], "go_in_secret": ["Hide.", "Well."]}})");
     write("tests/cases/02-light/cases.json", cases_of_light);
-    write("tests/cases/02-light/lit.values.json", "{}");
+    write("tests/cases/02-light/references/lit.values.json", "{}");
     write("tests/mistakes/01-move/mistakes.json",
           R"([{"name": "backwards", "title": "B", "sentence": "It looks.", "hint": "Look.",
                "patch": "backwards.patch", "spelling": "backwards.other.patch"}])");
@@ -129,15 +128,20 @@ const std::set<std::string> always = {"CMakeLists.txt",
 const std::set<std::string> of_move = {"steps/01-move/given/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
                                        "handouts/pictures/01-a.png", "handouts/plots/01-error.svg"};
 const std::set<std::string> skeletons_of_move = {"skeletons/01-move/move.cpp", "skeletons/01-move/move.glsl"};
-const std::set<std::string> cases_files_of_move = {
-    "tests/cases/01-move/hints.json",       "tests/cases/01-move/measure.json",
-    "tests/cases/01-move/cases.json",       "tests/cases/01-move/near.exr",
-    "tests/cases/01-move/near.json",        "tests/cases/01-move/shown.exr",
-    "tests/cases/01-move/shown.json",       "tests/cases/01-move/atlas/near--backwards.png",
-    "tests/mistakes/01-move/mistakes.json", "tests/cases/01-move/atlas/shown--backwards.png"};
-const std::set<std::string> of_light = {"steps/02-light/given/main.cpp",   "handouts/02-light.md",
-                                        "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
-                                        "tests/cases/02-light/cases.json", "tests/cases/02-light/lit.values.json"};
+const std::set<std::string> cases_files_of_move = {"tests/cases/01-move/hints.json",
+                                                   "tests/cases/01-move/measure.json",
+                                                   "tests/cases/01-move/cases.json",
+                                                   "tests/cases/01-move/references/near.exr",
+                                                   "tests/cases/01-move/references/near.json",
+                                                   "tests/cases/01-move/references/near.atlas.png",
+                                                   "tests/cases/01-move/references/shown.exr",
+                                                   "tests/cases/01-move/references/shown.json",
+                                                   "tests/cases/01-move/references/shown.atlas.png",
+                                                   "tests/mistakes/01-move/mistakes.json"};
+const std::set<std::string> of_light = {
+    "steps/02-light/given/main.cpp",   "handouts/02-light.md",
+    "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
+    "tests/cases/02-light/cases.json", "tests/cases/02-light/references/lit.values.json"};
 
 std::set<std::string> operator+(std::set<std::string> a, const std::set<std::string>& b) {
   a.insert(b.begin(), b.end());
@@ -217,7 +221,7 @@ TEST_CASE("of a hidden case, a solution and a patch there is no trace") {
 
 TEST_CASE("cases without a hidden one are copied as they stand") {
   const Project project;
-  CHECK(visible_cases(project.folders.case_file("02-light"), {}).text == cases_of_light);
+  CHECK(visible_cases(project.folders.case_file("02-light")).text == cases_of_light);
 }
 
 TEST_CASE("a line of a solution stops a release, wherever it stands") {
