@@ -1,4 +1,4 @@
-// 00-hello: one triangle. Nothing here is to be changed; it is short enough to read.
+// 00-hello: one triangle. Do not change this file; it is short enough to read.
 #include "app/frame_settings.hpp"
 #include "app/step_program.hpp"
 #include "gl/debug.hpp"
@@ -9,7 +9,7 @@ namespace atelier {
 namespace {
 
 constexpr const char* vertex_text = R"(
-// No buffers yet: the three corners are chosen by their number.
+// No buffers yet: gl_VertexID selects one of the three corners.
 const vec2 corners[3] = vec2[](vec2(-0.8, -0.7), vec2(0.8, -0.7), vec2(0.0, 0.8));
 out vec3 v_weights;
 void main() {
@@ -37,7 +37,7 @@ class Hello : public StepProgram {
 
   void load(const std::string& scene, const Settings&) override {
     if (scene != "triangle") throw Error("scene '" + scene + "': 00-hello has one scene, triangle");
-    if (program_.id() == 0) build();  // not in open(): what does not compile is then the case's own verdict
+    if (program_.id() == 0) build();  // not in open(), so that a compile error counts for the case
   }
 
   Camera camera() const override { return {}; }

@@ -1,4 +1,4 @@
-// Step 01's functions as a table: how every later program hands them to the renderer. Given.
+// Table of step 01's functions, which every later program passes to the renderer. Given.
 #pragma once
 
 #include "01-transforms/transforms.hpp"

@@ -1,4 +1,4 @@
-// 01-transforms: the program. Scenes drawn with your matrices and your vertex buffers; a stand-in for light.
+// 01-transforms: the program. Draws scenes with your matrices and your vertex buffers, with a placeholder for lighting.
 #include "01-transforms/given/functions.hpp"
 #include "01-transforms/given/preview.hpp"
 #include "01-transforms/given/probes.hpp"
@@ -23,7 +23,7 @@ SceneStep transforms_step() {
           .truth = transform_truth};
 }
 
-/// All scenes but one are drawn by the renderer; "triangle" is upload_triangle's own.
+/// The renderer draws all scenes except "triangle", which uses upload_triangle.
 class Transforms : public SceneProgram {
  public:
   Transforms() : SceneProgram(transforms_step()) {}
@@ -58,7 +58,7 @@ class Transforms : public SceneProgram {
     const GlVertexArray vertex_array(*gl_, made.vertex_array);
     const GlBuffer vertex_buffer(*gl_, made.vertex_buffer), index_buffer(*gl_, made.index_buffer);
 
-    reset_state(*gl_);  // whatever the picture before this one left behind
+    reset_state(*gl_);  // clear state left by the previous picture
     target.bind(*gl_);
     gl_->ClearColor(triangle_background.r, triangle_background.g, triangle_background.b, 1);
     gl_->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

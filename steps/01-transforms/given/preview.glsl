@@ -1,6 +1,6 @@
 uniform vec3 u_colour;
 
-// Two tones in a checker of eighths of the texture, so that texture coordinates can be seen.
+// A checker pattern with 8 x 8 cells per texture, which makes texture coordinates visible.
 float checker(vec2 texcoord) {
   vec2 cell = floor(texcoord * 8.0);
   return mod(cell.x + cell.y, 2.0) < 0.5 ? 1.0 : 0.72;

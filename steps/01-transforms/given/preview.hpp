@@ -1,5 +1,5 @@
-// A stand-in for light, until step 02 writes the real one: brighter where the surface faces the eye, with a checker of
-// the texture coordinates. Given.
+// A placeholder for lighting until step 02: brighter where the surface faces the eye, with a checker pattern of the
+// texture coordinates. Given.
 #pragma once
 
 #include "render/feature.hpp"

@@ -9,7 +9,7 @@ using namespace transforms;
 
 namespace {
 
-// ---- Numbers for a judge, and back
+// ---- Conversion to and from numbers
 
 using atelier::numbers_of;
 
@@ -34,7 +34,7 @@ Numbers numbers_of(const Mesh& mesh) {
   return out;
 }
 
-/// {1} where the call throws std::invalid_argument, as the contract asks; {0} where it returns.
+/// {1} if the call throws std::invalid_argument, as the contract requires; {0} if it returns.
 template <class Call>
 Numbers refuses(Call&& call) {
   try {
@@ -45,7 +45,7 @@ Numbers refuses(Call&& call) {
   return {0};
 }
 
-// ---- Probes that need more than a line
+// ---- Probes of more than one line
 
 /// A joint is 17 numbers: its parent and its matrix.
 std::vector<Joint> joints(const Arguments& in) {
@@ -65,8 +65,8 @@ Numbers probe_world_matrices(ProbeContext&, const Arguments& in) {
   return out;
 }
 
-/// A chain of `depth` joints, each a step of `step` from the one before it, listed child first; where the last one
-/// stands.
+/// The position of the last joint in a chain of `depth` joints, each translated by `step` from its parent, children
+/// listed first.
 Numbers probe_deep_chain(ProbeContext&, const Arguments& in) {
   const int depth = in.integer("depth");
   std::vector<Joint> chain(std::size_t(depth), Joint{});
@@ -77,15 +77,15 @@ Numbers probe_deep_chain(ProbeContext&, const Arguments& in) {
   return numbers_of(glm::vec3(world_matrices(chain)[0][3]));
 }
 
-/// Where the model takes the normal, normalised: any positive multiple of the matrix is right.
+/// The normal multiplied by the normal matrix, normalised, so that any positive multiple of the matrix is right.
 Numbers probe_normal_matrix(ProbeContext&, const Arguments& in) {
   const glm::dvec3 n = glm::dmat3(normal_matrix(glm::mat4(in.mat4("model")))) * in.vec3("normal");
   const double length = glm::length(n);
   return length > 0 ? Numbers{n.x / length, n.y / length, n.z / length} : Numbers{n.x, n.y, n.z};
 }
 
-/// What OpenGL remembers of the buffers: count, then for each attribute enabled, size, stride, offset; then sizes in
-/// bytes.
+/// The OpenGL state of the buffers: count, whether there is a vertex array, whether none is left bound; for each
+/// attribute enabled, size, stride, offset, whether it uses the vertex buffer; the index buffer; sizes in bytes.
 Numbers describe(Gl& gl, const MeshBuffers& made, bool indexed) {
   Numbers out{double(made.count), double(made.vertex_array != 0)};
   out.push_back(integer_of(gl, GL_VERTEX_ARRAY_BINDING) == 0);
@@ -98,7 +98,7 @@ Numbers describe(Gl& gl, const MeshBuffers& made, bool indexed) {
     gl.GetVertexAttribiv(attribute, GL_VERTEX_ATTRIB_ARRAY_BUFFER_BINDING, &buffer);
     void* offset = nullptr;
     gl.GetVertexAttribPointerv(attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, &offset);
-    // A stride of 0 means "packed": say how far apart the elements really are.
+    // A stride of 0 means tightly packed: report the real distance.
     const int apart = stride ? stride : size * int(sizeof(float));
     if (enabled)
       for (const double x : {1.0, double(size), double(apart), double(reinterpret_cast<std::intptr_t>(offset)),
@@ -136,7 +136,7 @@ Numbers probe_upload_mesh(ProbeContext& context, const Arguments& in) {
 Numbers probe_set_wireframe(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   set_wireframe(gl, in.number("on") != 0);
-  GLint mode[2] = {0, 0};  // compatibility contexts answer with two values
+  GLint mode[2] = {0, 0};  // compatibility contexts return two values
   gl.GetIntegerv(GL_POLYGON_MODE, mode);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   return {double(mode[0] == GL_LINE)};

@@ -1,4 +1,4 @@
-// Step 01's functions under names, on plain numbers: what probe cases call. Given.
+// Step 01's functions by name, with numbers as arguments and results, as probe cases call them. Given.
 #pragma once
 
 #include "app/step_program.hpp"

@@ -16,7 +16,7 @@ int matte(Scene& scene, const std::string& name, const glm::vec3& colour, bool t
   return add_material(scene, {.name = name, .diffuse = colour, .two_sided = two_sided});
 }
 
-/// Low-poly solids, stretched, flattened and mirrored: what normals must survive.
+/// Low-poly solids, stretched, flattened and mirrored: the hard cases for normals.
 Scene stretched() {
   Scene scene{.name = "stretched"};
   scene.background = {0.05f, 0.06f, 0.08f};
@@ -45,10 +45,10 @@ Scene stretched() {
   return scene;
 }
 
-/// As many pieces as hall.segments says, or as hall.fit needs: the fewest that stay behind the circle by at most half a
-/// pixel of a picture of that height, taken by the scene's own camera. Counted for the wall's nearest place, seen
-/// square on and whether or not it is in the picture. A camera moved elsewhere (--eye) has no part in it: nearer to the
-/// wall it may see more than half a pixel.
+/// The number of pieces: hall.segments, or, if hall.fit is set, the least number with a sagitta of at most half a pixel
+/// in a picture of that height from the scene's own camera. Computed for the point of the wall nearest to that camera,
+/// seen head-on, whether or not it is in the picture. --eye has no effect: a camera nearer to the wall may see an error
+/// of more than half a pixel.
 int hall_segments(const Settings& settings, const Camera& camera) {
   const int height = settings.integer("hall.fit");
   if (height == 0) return settings.integer("hall.segments");
@@ -67,7 +67,7 @@ Scene hall(const Settings& settings) {
   return scene;
 }
 
-/// A hundred boxes, each standing on the corner of the one before it: one wrong product and the spiral falls apart.
+/// A hundred boxes, each on the corner of the previous one: a single wrong product destroys the spiral.
 /// Every child is listed before its parent.
 Scene spiral() {
   Scene scene{.name = "spiral"};
@@ -92,14 +92,14 @@ Scene spiral() {
   return scene;
 }
 
-/// Two fans of slats that cross at a hair's breadth, far behind a near plane that stands very near: depth precision.
+/// Pairs of slats with a tiny gap, far behind a near plane that is very near: tests depth precision.
 Scene slats() {
   Scene scene{.name = "slats"};
   scene.background = {0.02f, 0.02f, 0.03f};
   const int red = matte(scene, "red", {0.85f, 0.2f, 0.15f}, true),
             blue = matte(scene, "blue", {0.15f, 0.3f, 0.85f}, true);
   for (int i = 0; i < 8; ++i) {
-    // In each row blue stands in front of red by a ten-thousandth of its distance.
+    // In each row blue is in front of red by a ten-thousandth of its distance.
     const float distance = 20.0f * std::pow(2.2f, float(i)), size = distance * 0.055f,
                 y = distance * (0.36f - 0.1f * float(i));
     const Mesh wide = make_box({.size = {size * 14, size, size * 1e-3f}}),
@@ -111,13 +111,12 @@ Scene slats() {
   return scene;
 }
 
-/// 1024 pairs of squares, each in a tile of its own that both fill: red, and blue in front of it by a
-/// hundred-thousandth of its distance. Distances are spread evenly by factors from the near plane, lower left, to the
-/// far plane, upper right. Red is drawn first, so that a pair whose depths are alike stays red: red is what came out in
-/// the wrong order.
+/// 1024 pairs of squares, each pair in its own tile, which both squares fill: red, and blue in front of it by a
+/// hundred-thousandth of its distance. Distances are logarithmically spaced from the near plane, lower left, to the far
+/// plane, upper right. Red is drawn first, so a pair with equal depths stays red: red pixels are in the wrong order.
 Scene depth_pairs(const Settings& settings) {
   Scene scene{.name = "depth-pairs"};
-  constexpr int tiles = 32;  // a side; in a picture of a multiple of 32 pixels no pixel's centre lies on an edge
+  constexpr int tiles = 32;  // per side; if the picture's size is a multiple of 32, no pixel centre is on an edge
   const double near = settings.real("pairs.near"), far = 1e4, gap = 1e-5;
   Mesh behind{.name = "behind"}, before{.name = "before"};
   const auto add = [&](Mesh& mesh, int tile, double distance) {
@@ -151,7 +150,7 @@ Scene far_away(const Settings& settings) {
   return scene;
 }
 
-/// The robot as a plan: parallel lines stay parallel.
+/// The robot in orthographic projection: parallel lines stay parallel.
 Scene plan() {
   Scene scene = make_builtin_scene("robot");
   const Box3 box = bounds(scene);
@@ -174,19 +173,19 @@ std::vector<SettingSpec> transform_scene_settings() {
        .fallback = 0,
        .low = 0,
        .high = 16384,
-       .help = "height of the picture in pixels for which the wall gets the fewest pieces that look round to half a "
-               "pixel from the scene's own camera (by its distance from the nearest wall, square on; not from an --eye "
-               "of yours); 0: hall.segments pieces"},
+       .help = "height of the picture in pixels: the wall gets the fewest pieces whose error is at most half a pixel "
+               "from the scene's own camera (at its distance from the nearest wall, seen head-on; --eye has no "
+               "effect); 0: hall.segments pieces"},
       {.name = "world.offset",
        .fallback = 0.0,
        .low = 0,
        .high = 1e7,
-       .help = "how far the scene 'far' stands from the world's origin, metres"},
+       .help = "distance of the scene 'far' from the world's origin, metres"},
       {.name = "pairs.near",
        .fallback = 0.1,
        .low = 1e-4,
        .high = 1e3,
-       .help = "where the near plane of the scene 'depth-pairs' stands, metres; the far plane stands at 10 km"},
+       .help = "distance of the near plane of the scene 'depth-pairs', metres; the far plane is at 10 km"},
   };
 }
 

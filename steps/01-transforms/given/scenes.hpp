@@ -1,4 +1,4 @@
-// The scenes of step 01: each built so that one function can be seen in it. Given.
+// The scenes of step 01; each shows the effect of one function. Given.
 #pragma once
 
 #include <array>
@@ -10,10 +10,10 @@ namespace atelier {
 const SceneTable& transform_scenes();
 std::vector<SettingSpec> transform_scene_settings();
 
-/// The round hall: metres.
+/// Size of the cylindrical hall, metres.
 inline constexpr float hall_radius = 6, hall_height = 4;
 
-/// The hall's camera and its materials (0 the wall's, 1 the floor's, 2 the ceiling's), with nothing built yet.
+/// The hall's camera and its materials (0 the wall's, 1 the floor's, 2 the ceiling's), without any geometry.
 Scene empty_hall();
 
 /// The scene "triangle": corners in clip space, linear colours.

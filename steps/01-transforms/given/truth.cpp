@@ -28,7 +28,7 @@ std::vector<oracle::Shape> round_hall() {
           {.surface = ceiling, .material = 2}};
 }
 
-/// The triangle is given in clip space: a box of two metres, without perspective, stretched to the picture's shape.
+/// The triangle is given in clip space: an orthographic box of two metres, scaled to the picture's aspect ratio.
 SceneTruth triangle_in_clip_space(const TruthRequest& request) {
   const CaseCamera& camera = request.camera;
   if (request.output != "colour" || camera.eye || camera.target || camera.up || camera.fov_y_degrees || camera.near ||
