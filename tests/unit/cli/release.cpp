@@ -278,8 +278,8 @@ TEST_CASE("a project that is not whole makes no release") {
   const Row rows[] = {
       {"no solution", "solutions/02-light/light.glsl", nullptr, "made from the whole project"},
       {"no licence", "LICENSE", nullptr, "LICENSE"},
-      {"no reference", "tests/cases/01-move/near.exr", nullptr, "near.exr"},
-      {"no sidecar", "tests/cases/01-move/near.json", nullptr, "near.json"},
+      {"no reference", "tests/cases/01-move/references/near.exr", nullptr, "near.exr"},
+      {"no sidecar", "tests/cases/01-move/references/near.json", nullptr, "near.json"},
       {"no picture of a handout", "handouts/pictures/01-a.png", nullptr, "01-a.png"},
       {"broken marks", "solutions/01-move/move.cpp", "// >>> student: x\n", "not closed"},
       {"only hidden cases", "tests/cases/01-move/cases.json",
