@@ -73,9 +73,10 @@ Tally run_ctest(const fs::path& build, const std::vector<std::string>& selection
   return tally;
 }
 
-/// Builds targets of one of CMakePresets.json's presets, in a build folder of its own, and runs the unit tests there.
-/// A build that fails is one failed test.
-Tally run_preset(const ProjectFolders& folders, const std::string& preset, const std::vector<std::string>& targets) {
+/// Builds targets of one of CMakePresets.json's presets, in a build folder of its own, and runs the tests of a label
+/// there. A build that fails is one failed test.
+Tally run_preset(const ProjectFolders& folders, const std::string& preset, const std::vector<std::string>& targets,
+                 const std::string& label) {
   const fs::path build = folders.root / "build" / preset;
   const std::string source = folders.root.string();
   if (!fs::exists(build / "build.ninja") &&
@@ -85,7 +86,7 @@ Tally run_preset(const ProjectFolders& folders, const std::string& preset, const
   command.insert(command.end(), targets.begin(), targets.end());
   command.insert(command.end(), {"--", "--quiet"});
   if (run_attached(command) != 0) return {.failed = 1};
-  return run_ctest(build, {"-L", "^unit$"});
+  return run_ctest(build, {"-L", "^" + label + "$"});
 }
 
 std::vector<std::string> selection_of(TestOptions::Tier tier) {
@@ -107,13 +108,16 @@ int run_test(const TestOptions& options) {
   if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
     throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
   Tally tally = run_ctest(folders.build, selection_of(options.tier));
+  const bool all = options.tier == TestOptions::Tier::all;
   if (options.tier != TestOptions::Tier::quick) {
-    fmt::print("\nUnit tests under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n");
-    tally += run_preset(folders, "sanitize", {"unit_tests"});
+    fmt::print("\n{} under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n",
+               all ? "All unit tests" : "Unit tests of the judge and of all that reads input");
+    tally += all ? run_preset(folders, "sanitize", {"unit_tests"}, "unit")
+                 : run_preset(folders, "sanitize", {"sanitized_unit_tests"}, "reads-input");
   }
-  if (options.tier == TestOptions::Tier::all) {
+  if (all) {
     fmt::print("\nEvery file compiled by itself, unoptimised, and the unit tests so, in build/debug\n");
-    tally += run_preset(folders, "debug", {"all", "baselines"});
+    tally += run_preset(folders, "debug", {"all", "baselines"}, "unit");
   }
 
   if (tally.skipped > 0)

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/sha256.hpp"
 #include "cli/author/marked_text.hpp"
 #include "judge/compare/mistakes.hpp"
 #include "judge/run/ask.hpp"
@@ -23,14 +24,30 @@ Workshop::Workshop(const ProjectFolders& folders, const CourseStep& step)
       earlier_(choose_owners(folders, read_course(folders.step_flags()), step, "solution")),
       root_(folders.build / "audit" / step.name) {}
 
+namespace {
+
+/// A digest of the C++ files of a step.
+std::string digest_of_cpp(const fs::path& folder, const CourseStep& step) {
+  std::string text;
+  for (const std::string& file : step.files)
+    if (file.ends_with(".cpp")) text += file + '\0' + sha256(read_file(folder / file)) + '\n';
+  return sha256(text).substr(0, 16);
+}
+
+}  // namespace
+
 Version Workshop::make(const std::string& name, const std::function<void(const fs::path&)>& write) const {
-  Version version{
-      .name = name, .code = {root_ / name / "sources", root_ / name / "libraries"}, .built = false, .log = {}};
+  Version version{.name = name, .code = {root_ / name / "sources", {}}, .built = false, .log = {}};
   try {
     fs::remove_all(version.code.sources);  // no file of an earlier version of this version may stay
-    write(version.code.sources / step_.name);
-    const judge::Built built =
-        judge::build_step(flags_, step_.name, version.code.sources / step_.name, version.code.libraries);
+    const fs::path sources = version.code.sources / step_.name;
+    write(sources);
+    // Half of the versions differ in their shaders alone: the same C++ is compiled once, from a place of its own.
+    const fs::path compiled = root_ / "compiled" / digest_of_cpp(sources, step_);
+    for (const std::string& file : step_.files)
+      if (!fs::exists(compiled / "sources" / file)) write_file(compiled / "sources" / file, read_file(sources / file));
+    version.code.libraries = compiled / "libraries";
+    const judge::Built built = judge::build_step(flags_, step_.name, compiled / "sources", version.code.libraries);
     version.built = built.ok;
     version.log = built.log;
   } catch (const Error& error) {

@@ -1,6 +1,6 @@
 // Versions of a step's code that an author needs beside each other: the solution, the skeleton cut from it, every known
-// mistake and every variant. Each is built in a folder of its own below BUILD/audit, where what has not changed is
-// kept.
+// mistake and every variant. Each has its files in a folder of its own below BUILD/audit; their libraries are kept
+// there by what they are compiled from.
 #pragma once
 
 #include <filesystem>

@@ -122,7 +122,7 @@ class Packer {
 
   void pack_project() {
     for (const char* file : {"CMakeLists.txt", "CMakePresets.json", "LICENSE", ".clang-format", ".editorconfig",
-                             ".gitignore", "atelier", "steps/CMakeLists.txt"})
+                             ".gitignore", "atelier", "steps/CMakeLists.txt", "steps/renames.txt"})
       take(file);
     release_.files["atelier"].executable = true;
     take("handouts/README-release.md", "README.md");

@@ -1,6 +1,7 @@
 #include "cli/student/function_text.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace atelier {
 namespace {
@@ -50,29 +51,73 @@ std::size_t skip_space(std::string_view code, std::size_t at) {
   return std::min(code.find_first_not_of(" \t\r\n", at), code.size());
 }
 
-/// The place behind the body of a definition whose name stands at `at`; nowhere where it is none (a call, say).
-std::size_t end_of_definition(std::string_view code, std::size_t at, std::size_t name_length) {
+/// The place behind the parameters of a function whose name stands at `at`; nowhere where none follow.
+std::size_t end_of_head(std::string_view code, std::size_t at, std::size_t name_length) {
   const std::size_t parameters = skip_space(code, at + name_length);
   if (parameters >= code.size() || code[parameters] != '(') return nowhere;
-  const std::size_t behind = behind_bracket(code, parameters, '(', ')');
+  return behind_bracket(code, parameters, '(', ')');
+}
+
+/// The place behind the body of a definition whose name stands at `at`; nowhere where it is none (a call, say).
+std::size_t end_of_definition(std::string_view code, std::size_t at, std::size_t name_length) {
+  const std::size_t behind = end_of_head(code, at, name_length);
   if (behind == nowhere) return nowhere;
   const std::size_t body = skip_space(code, behind);
   return body < code.size() && code[body] == '{' ? behind_bracket(code, body, '{', '}') : nowhere;
+}
+
+std::size_t begin_of_line(std::string_view text, std::size_t at) {
+  const std::size_t before = at == 0 ? nowhere : text.rfind('\n', at - 1);
+  return before == nowhere ? 0 : before + 1;
+}
+
+/// Where the comment lines directly above the line that begins at `line` begin; `line` itself where there are none.
+std::size_t begin_of_comment(std::string_view text, std::size_t line) {
+  while (line > 0) {
+    const std::size_t above = begin_of_line(text, line - 1);
+    const std::size_t first = text.find_first_not_of(" \t", above);
+    if (text.compare(first, 2, "//") != 0) break;
+    line = above;
+  }
+  return line;
+}
+
+int line_number(std::string_view text, std::size_t at) {
+  return int(std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')) + 1;
+}
+
+/// The places at which `name` stands as a whole word of the code.
+std::vector<std::size_t> places_of(std::string_view code, std::string_view name) {
+  std::vector<std::size_t> places;
+  for (std::size_t at = code.find(name); at != nowhere; at = code.find(name, at + 1))
+    if (at == 0 || !in_identifier(code[at - 1])) places.push_back(at);
+  return places;
 }
 
 }  // namespace
 
 std::optional<FunctionText> find_function(std::string_view text, std::string_view name) {
   const std::string code = code_only(text);
-  for (std::size_t at = code.find(name); at != nowhere; at = code.find(name, at + 1)) {
-    if (at > 0 && in_identifier(code[at - 1])) continue;
+  for (const std::size_t at : places_of(code, name)) {
     const std::size_t end = end_of_definition(code, at, name.size());
     if (end == nowhere) continue;
-    const std::size_t line_end = std::min(text.find('\n', end), text.size());
-    const std::size_t before = text.rfind('\n', at);
-    const std::size_t begin = before == nowhere ? 0 : before + 1;
-    return FunctionText{.line = int(std::count(text.begin(), text.begin() + std::ptrdiff_t(begin), '\n')) + 1,
+    const std::size_t line_end = std::min(text.find('\n', end), text.size()), begin = begin_of_line(text, at);
+    return FunctionText{.line = line_number(text, begin),
                         .text = std::string(text.substr(begin, line_end - begin)) + "\n"};
+  }
+  return std::nullopt;
+}
+
+std::optional<FunctionText> find_contract(std::string_view text, std::string_view name) {
+  const std::string code = code_only(text);
+  for (const std::size_t at : places_of(code, name)) {
+    const std::size_t end = end_of_head(code, at, name.size());
+    if (end == nowhere) continue;
+    const std::size_t next = skip_space(code, end);
+    const bool declares = next < code.size() && (code[next] == ';' || code[next] == '{');
+    const std::size_t line = begin_of_line(text, at), begin = begin_of_comment(text, line);
+    if (!declares || begin == line) continue;
+    return FunctionText{.line = line_number(text, line), .text = std::string(text.substr(begin, end - begin)) + "\n"};
   }
   return std::nullopt;
 }

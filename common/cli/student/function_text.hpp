@@ -16,4 +16,8 @@ struct FunctionText {
 /// strings and characters are passed over. Nothing where there is none, or where a bracket is not closed.
 std::optional<FunctionText> find_function(std::string_view text, std::string_view name);
 
+/// The contract of `name`: the comment lines (//) directly above its first declaration or definition, and its head up
+/// to the ';' or the '{', which is left out. Nothing where there is no such function, or no comment above it.
+std::optional<FunctionText> find_contract(std::string_view text, std::string_view name);
+
 }  // namespace atelier

@@ -73,13 +73,17 @@ std::vector<std::string> functions_in_doubt(const CaseFile& cases, const JudgedC
   return functions.empty() ? c.functions : functions;
 }
 
-Hint hint_for(const ProjectFolders& folders, const CaseFile& cases, const JudgedCase& c, const ProgressRecord& record,
-              int level) {
+Hint hint_for(const ProjectFolders& folders, const CourseStep& step, const CaseFile& cases, const JudgedCase& c,
+              const ProgressRecord& record, int level) {
   Hint hint{.step = cases.step, .case_name = c.ask.name, .case_title = c.title, .functions = {}, .texts = {}};
   hint.levels = c.functions.empty() ? 1 : most_hints;
   hint.level = std::clamp(level, 1, hint.levels);
   if (hint.level == 1) {
     hint.texts = {c.hint.empty() ? c.asked : c.hint};
+    const std::vector<std::string> functions = functions_in_doubt(cases, c, record);
+    if (functions.size() <= most_contracts)
+      for (const std::string& function : functions)
+        if (auto contract = contract_of(folders, step, function)) hint.contracts.push_back(std::move(*contract));
     return hint;
   }
   const FunctionHints hints = read_hints(folders.hints_file(cases.step), cases);
@@ -111,7 +115,7 @@ FunctionHints read_hints(const fs::path& file, const CaseFile& cases) {
 Hint hint_at(const ProjectFolders& folders, const CourseStep& step, const std::string& case_name,
              const ProgressRecord& record, int level) {
   const CaseFile cases = judge::read_case_file(folders.case_file(step.name));
-  return hint_for(folders, cases, case_to_help_with(cases, case_name, record), record, level);
+  return hint_for(folders, step, cases, case_to_help_with(cases, case_name, record), record, level);
 }
 
 Hint next_hint(const ProjectFolders& folders, const CourseStep& step, const std::string& case_name,
@@ -119,7 +123,7 @@ Hint next_hint(const ProjectFolders& folders, const CourseStep& step, const std:
   const CaseFile cases = judge::read_case_file(folders.case_file(step.name));
   const JudgedCase& c = case_to_help_with(cases, case_name, record);
   const int level = hint_level(record, step.name, c.ask.name) + 1;
-  const Hint hint = hint_for(folders, cases, c, record, level);
+  const Hint hint = hint_for(folders, step, cases, c, record, level);
   raise_hint_level(record, step.name, c.ask.name, hint.level);
   return hint;
 }
@@ -127,6 +131,8 @@ Hint next_hint(const ProjectFolders& folders, const CourseStep& step, const std:
 std::string hint_text(const Hint& hint, int width) {
   std::string text =
       fmt::format("{}  {}  {}\nhint {} of {}\n", hint.step, hint.case_name, hint.case_title, hint.level, hint.levels);
+  for (const Contract& contract : hint.contracts)
+    text += fmt::format("\n{}:{}\n{}\n", contract.file.string(), contract.line, indented(contract.text, "  "));
   for (std::size_t i = 0; i < hint.texts.size(); ++i) {
     const bool named = i < hint.functions.size();
     if (named) text += fmt::format("\n  {}\n", hint.functions[i]);

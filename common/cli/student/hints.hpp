@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "cli/layout.hpp"
+#include "cli/student/contract.hpp"
 #include "cli/student/progress_record.hpp"
 #include "judge/compare/judged_case.hpp"
 
@@ -30,12 +31,16 @@ using FunctionHints = std::map<std::string, std::array<std::string, 2>>;
 /// function that a case names and the file does not have; and for one that no case names.
 FunctionHints read_hints(const std::filesystem::path& file, const judge::CaseFile& cases);
 
+inline constexpr std::size_t most_contracts = 2;  ///< more would hide the hint
+
 /// One hint, as it is shown.
 struct Hint {
   std::string step, case_name, case_title;
   int level = 1, levels = most_hints;  ///< "hint 2 of 3"; a case that names no function has one level only
   std::vector<std::string> functions;  ///< whom each of `texts` is about; empty at level 1
   std::vector<std::string> texts;
+  std::vector<Contract>
+      contracts;  ///< at level 1: of the functions in question, where these are at most most_contracts
 };
 
 /// The hint of `level` (1..3, bounded by what there is) for a case, which may be empty: then the first, in the order of
@@ -50,8 +55,8 @@ Hint hint_at(const ProjectFolders& folders, const CourseStep& step, const std::s
 Hint next_hint(const ProjectFolders& folders, const CourseStep& step, const std::string& case_name,
                ProgressRecord& record);
 
-/// The hint for a terminal: the case, "hint 2 of 3", the texts in lines of at most `width` columns, and the command for
-/// the next.
+/// The hint for a terminal: the case, "hint 2 of 3", the contracts, the texts in lines of at most `width` columns, and
+/// the command for the next.
 std::string hint_text(const Hint& hint, int width);
 
 }  // namespace atelier

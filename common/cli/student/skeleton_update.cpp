@@ -11,6 +11,7 @@
 #include "base/process.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/skeleton_record.hpp"
+#include "cli/student/renames.hpp"
 
 namespace atelier {
 namespace {
@@ -54,48 +55,64 @@ std::optional<std::string> merged(const std::string& mine, const std::string& gi
 class Update {
  public:
   explicit Update(const ProjectFolders& folders)
-      : skeletons_(folders.skeletons()), given_(folders.given()), steps_(folders.steps()) {}
+      : skeletons_(folders.skeletons()),
+        given_(folders.given()),
+        steps_(folders.steps()),
+        renames_(renames_to_do(read_renames(steps_ / "renames.txt"), read_renames(given_ / "renames.txt"))) {}
 
   std::vector<std::string> run() {
-    if (names_of_new().empty()) return {};
+    if (names_of_new().empty() && renames_.empty()) return {};
     // Two commands at a time take turns: what the first one does must not look like a student's edit to the second.
     const FolderLock lock(skeletons_);
     const std::vector<std::string> names = names_of_new();
-    if (names.empty()) return {};
+    if (names.empty() && renames_.empty()) return {};
     SkeletonRecord record = read_skeleton_record(steps_);
     for (const std::string& name : names) {
       update(name);
       record[name] = sha256(read_file(skeletons_ / name));
     }
     write_skeleton_record(steps_, record);
+    if (!renames_.empty())
+      write_file(given_ / "renames.txt", read_file(steps_ / "renames.txt"));  // last: now all is done
     return std::move(lines_);
   }
 
  private:
-  /// The skeletons that were not given yet, and those of files that are missing.
+  /// The skeletons that were not given yet, those of files that are missing, and those whose own file holds a name that
+  /// has changed.
   std::vector<std::string> names_of_new() const {
     std::vector<std::string> names = files_below(skeletons_);
     std::erase_if(names, [&](const std::string& name) {
-      return fs::exists(steps_ / name) && read_where_there(given_ / name) == read_file(skeletons_ / name);
+      if (!fs::exists(steps_ / name) || read_where_there(given_ / name) != read_file(skeletons_ / name)) return false;
+      const std::string mine = read_file(steps_ / name);
+      return with_new_names(name, mine) == mine;
     });
     return names;
   }
 
+  std::string with_new_names(const std::string& name, const std::string& text) const {
+    return renamed(text, name.substr(0, name.find('/')), renames_);
+  }
+
   void update(const std::string& name) {
     const std::string skeleton = read_file(skeletons_ / name);
-    const auto given = read_where_there(given_ / name), mine = read_where_there(steps_ / name);
-    if (!mine)
+    auto given = read_where_there(given_ / name);
+    const auto mine = read_where_there(steps_ / name);
+    if (!mine) {
       put(name, skeleton, "is yours to write");
-    else if (mine == given)
+    } else if (mine == given) {
       put(name, skeleton, "was untouched, and is now the skeleton of this release");
-    else if (*mine != skeleton)
+    } else if (*mine != skeleton) {
+      if (given) given = with_new_names(name, *given);
       keep(name, *mine, given, skeleton);
+    }
     write_file(given_ / name, skeleton);  // last, so that a run that is cut off is done again
   }
 
   void keep(const std::string& name, const std::string& mine, const std::optional<std::string>& given,
             const std::string& skeleton) {
-    const auto both = given ? merged(mine, *given, skeleton) : std::nullopt;
+    const std::string mine_renamed = with_new_names(name, mine);
+    const auto both = given == skeleton ? mine_renamed : given ? merged(mine_renamed, *given, skeleton) : std::nullopt;
     if (both == mine) return;  // the student has made the same changes
     if (both) {
       const fs::path before = free_path(steps_ / name, ".before-merge");
@@ -121,6 +138,7 @@ class Update {
   }
 
   fs::path skeletons_, given_, steps_;
+  std::vector<Rename> renames_;  ///< that the student's files have not been through
   std::vector<std::string> lines_;
 };
 

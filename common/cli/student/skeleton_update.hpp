@@ -13,6 +13,8 @@
 //   edited, a new skeleton          the changes of both are merged by git, and FILE.before-merge keeps the student's;
 //                                   without git, where both have changed the same lines, or where it is not known what
 //                                   was given: the student's stays, and the new skeleton lies beside as FILE.new
+// Names that a release has changed (renames.hpp) are changed in the student's file first; FILE.before-merge keeps it as
+// it was. .given/renames.txt says which of them the files have been through.
 #pragma once
 
 #include <string>

@@ -54,6 +54,37 @@ TEST_CASE("each call says more, and stays at the last level") {
   CHECK(hint_level(course.record, "01-move", "one") == 3);
 }
 
+TEST_CASE("the first hint comes with the contracts of the functions in question") {
+  HintedCourse course;
+  course.step.headers = {"01-move/move.hpp"};
+  course.step.files = {"move.cpp", "move.glsl"};
+  write_file(course.folders.steps() / "01-move/move.hpp",
+             std::string_view("/// Turns by `angle` radians.\nmat4 turn(float angle);\n\nvoid other();\n"));
+  write_file(course.folders.steps() / "01-move/move.glsl",
+             std::string_view("\n// Moves a point.\n// Metres.\nvec3 shift(vec3 p) { return p; }\n"));
+  const auto contracts = [&](const char* name) {
+    return hint_at(course.folders, course.step, name, course.record, 1).contracts;
+  };
+  REQUIRE(contracts("both").size() == 2);
+  const Contract turn = contracts("both")[0], shift = contracts("both")[1];
+  CHECK(turn.file == "steps/01-move/move.hpp");
+  CHECK(turn.line == 2);
+  CHECK(turn.text == "/// Turns by `angle` radians.\nmat4 turn(float angle)\n");
+  CHECK(shift.line == 4);
+  CHECK(shift.text == "// Moves a point.\n// Metres.\nvec3 shift(vec3 p)\n");
+  CHECK(contracts("given").empty());
+  CHECK(hint_at(course.folders, course.step, "both", course.record, 2).contracts.empty());
+
+  // A student who took the comment away still has the one that was handed out.
+  write_file(course.folders.steps() / "01-move/move.glsl", std::string_view("vec3 shift(vec3 p) { return p; }\n"));
+  CHECK(contracts("both").size() == 1);
+  write_file(course.folders.skeletons() / "01-move/move.glsl",
+             std::string_view("// Moves a point.\nvec3 shift(vec3 p) { return p; }\n"));
+  CHECK(contracts("both").at(1).text == "// Moves a point.\nvec3 shift(vec3 p)\n");
+  CHECK(hint_text(hint_at(course.folders, course.step, "both", course.record, 1), 80).find("move.glsl:2\n  // Moves") !=
+        std::string::npos);
+}
+
 TEST_CASE("without a name the first case that did not pass is helped with") {
   HintedCourse course;
   const auto chosen = [&] { return hint_at(course.folders, course.step, "", course.record, 1).case_name; };

@@ -185,3 +185,36 @@ TEST_CASE("a file of which it is not known what was given stays") {
   CHECK(project.beside(".new") == second);
   CHECK(project.update().empty());
 }
+
+TEST_CASE("names that a release changes are changed in the student's file, once") {
+  const Unpacked project;
+  const auto renames = project.folders.steps() / "renames.txt";
+  project.release("int move() {\n  return 0;\n}\n\nint stay();\n");
+  project.update();
+  project.edit("int move() {\n  return helper;\n}\n\nint stay() { return move(); }\n");
+
+  SECTION("with a new skeleton") {
+    if (!has_git()) SKIP_TEST("there is no git");
+    project.release("// What it does.\nint shift() {\n  return 0;\n}\n\nint stay();\n");
+    write_file(renames, std::string_view("01-move move shift\n"));
+    CHECK(mentions(project.update().at(0), {"01-move/move.cpp", "before-merge"}));
+    CHECK(read_file(project.mine()) ==
+          "// What it does.\nint shift() {\n  return helper;\n}\n\nint stay() { return shift(); }\n");
+    CHECK(project.beside(".before-merge") == "int move() {\n  return helper;\n}\n\nint stay() { return move(); }\n");
+  }
+  SECTION("with the skeleton as it was but for the name, and without git") {
+    const NoPrograms none;
+    project.release("int shift() {\n  return 0;\n}\n\nint stay();\n");
+    write_file(renames, std::string_view("01-move move shift\n"));
+    project.update();
+    CHECK(read_file(project.mine()) == "int shift() {\n  return helper;\n}\n\nint stay() { return shift(); }\n");
+  }
+  SECTION("where only the student's own lines hold the name") {
+    write_file(renames, std::string_view("01-move helper tool\n"));
+    project.update();
+    CHECK(read_file(project.mine()) == "int move() {\n  return tool;\n}\n\nint stay() { return move(); }\n");
+    project.edit("int move() {\n  return helper;  // mine again\n}\n\nint stay();\n");
+    CHECK(project.update().empty());  // the files have been through it: a name of the student's own stays
+    CHECK(read_file(project.mine()).find("helper") != std::string::npos);
+  }
+}
