@@ -1,0 +1,57 @@
+// A student's solved files of an earlier release, brought to this one: nothing that was right is lost.
+#include <set>
+
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "cli/author/marked_text.hpp"
+#include "cli/student/skeleton_update.hpp"
+#include "command.hpp"
+
+using namespace atelier;
+using namespace atelier::test;
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Cases that came after the release of tests/updates: its students could not earn them.
+const std::set<std::string> new_cases = {"blinds", "blind-lamp", "sixty-four-blinds"};
+
+/// A student's folder, with a newer release unpacked over it.
+struct OldWork {
+  TemporaryFolder folder;
+  ProjectFolders there{.root = folder.path(), .build = folder.path() / "build"};
+
+  OldWork() {
+    const fs::path old = folders().root / "tests" / "updates";
+    fs::copy(old / "given", there.given(), fs::copy_options::recursive);
+    fs::copy(old / "solved", there.steps(), fs::copy_options::recursive);
+    fs::copy(folders().steps() / "renames.txt", there.steps() / "renames.txt");
+    for (const CourseStep& step : course())
+      if (fs::exists(old / "given" / step.name))
+        for (const std::string& file : step.files) {
+          const std::string name = step.name + "/" + file;
+          write_file(there.skeletons() / name,
+                     cut_skeleton(read_file(folders().solutions() / name), "solutions/" + name, step.name));
+        }
+  }
+};
+
+}  // namespace
+
+TEST_CASE("solved files of an earlier release keep their points", "[updates]") {
+  const OldWork work;
+  for (const std::string& line : update_skeletons(work.there)) {
+    INFO(line);
+    CHECK(line.find(".new") == std::string::npos);  // every file was merged
+  }
+  int judged = 0;
+  for (const json& step : graded(work.there.steps())["steps"])
+    for (const json& c : step["cases"]) {
+      INFO(step["step"] << " " << c["name"] << ": " << c["reason"]);
+      if (!new_cases.contains(c["name"])) CHECK(c["score"] == c["max_score"]);
+      ++judged;
+    }
+  CHECK(judged > 150);
+}
