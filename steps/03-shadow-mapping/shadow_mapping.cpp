@@ -40,7 +40,7 @@ glm::mat4 bias_matrix() {
 
 // ---- Further: a sun
 
-LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere) {
+LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere) {
   LightFrustum frustum{.orthographic = true, .direction = glm::normalize(direction)};
   // TODO(03-shadow-mapping): the sphere's radius is all that it takes
   return frustum;

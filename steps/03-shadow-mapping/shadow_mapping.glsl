@@ -14,7 +14,7 @@ float map_width(ShadowLight light, float depth) {
   return 1.0;
 }
 
-float lit(vec3 coordinate, int layer) {
+float compare_depth(vec3 coordinate, int layer) {
   // TODO(03-shadow-mapping): compare z with the depth that is stored at (u, v), by COMPARE
   return 1.0;
 }
@@ -45,7 +45,7 @@ vec2 plane_slope(vec3 dx, vec3 dy) {
 
 float pcf(vec3 coordinate, vec2 slope, int layer) {
   // TODO(03-shadow-mapping): the mean over a square of PCF x PCF texels; a texel is 1 / textureSize of the map wide
-  return lit(coordinate, layer);
+  return compare_depth(coordinate, layer);
 }
 
 // ---- Soft shadows
@@ -68,7 +68,7 @@ float blocker_depth(ShadowLight light, vec3 coordinate, vec2 slope, float search
 
 float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
   // TODO(03-shadow-mapping): search for blockers, estimate the penumbra, filter as wide as it is
-  return lit(coordinate, light.layer);
+  return compare_depth(coordinate, light.layer);
 }
 #endif
 

@@ -9,14 +9,14 @@ float cube_texel(vec3 from_light, float resolution) {
   return 0.0;
 }
 
-float cube_lit(int cube, vec3 from_light, float reference) {
+float compare_cube_distance(int cube, vec3 from_light, float reference) {
   // TODO(04-point-shadows): compare the reference with what is stored in that direction, by COMPARE
   return 1.0;
 }
 
 float cube_pcf(CubeLight light, vec3 from_light, float reference) {
   // TODO(04-point-shadows): two directions square to from_light, and a grid of comparisons along them, a texel apart
-  return cube_lit(light.cube, from_light, reference);
+  return compare_cube_distance(light.cube, from_light, reference);
 }
 
 float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_light) {
