@@ -61,11 +61,13 @@ float cube_pcf(CubeLight light, vec3 from_light, float reference) {
   // <<< student
 }
 
-// The fraction of the light that reaches a point, 0 to 1. BIAS chooses how the point is moved, with step 03's functions:
-// 0 not at all, 1 constant_bias, 2 slope_bias, 3 and 4 normal_offset. The amount is u_bias * FILTER_WIDTH texels, measured
+// The fraction of the light that reaches a point, 0 to 1. BIAS chooses how the point is moved, with step 03's
+// functions:
+// 0 not at all, 1 constant_bias, 2 slope_bias, 3 and 4 normal_offset. The amount is u_bias * FILTER_WIDTH texels,
+//   measured
 // where the point is before it is moved. The axis is to_light, because distances are stored: derivation in the handout,
-// section 5. Direction and distance are those of the moved point. The distance as a fraction of light.far is at most 1: a
-// point beyond far is compared as if it were at far. With BIAS other than 0 it is then lowered by u_depth_epsilon.
+// section 5. Direction and distance are those of the moved point. The distance as a fraction of light.far is at most 1:
+// a point beyond far is compared as if it were at far. With BIAS other than 0 it is then lowered by u_depth_epsilon.
 // You may call: cube_texel, cube_resolution, cube_pcf, step 03's three biases.
 float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_light) {
   // >>> student: bias, then direction and distance of the moved point
