@@ -49,7 +49,7 @@ std::vector<Image> mipmaps(const Image& base) {
 
 GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter filter) {
   GLuint texture = 0;
-  // >>> student: make and bind a texture, upload each level with its rows turned, then set filter, wrap and highest level
+  // >>> student: make and bind a texture, upload each level with its last row first, then set filter, wrap and highest level
   gl.GenTextures(1, &texture);
   gl.BindTexture(GL_TEXTURE_2D, texture);
   for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -75,7 +75,7 @@ GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter f
 // ---- Core 3: spot lights
 
 glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
-  // >>> student: two cosines; do not leave it to a cosine's rounding that pi gives exactly -1
+  // >>> student: two cosines; std::cos of a float near pi need not be exactly -1
   const auto cosine = [](float angle) { return angle >= 3.14159265f ? -1.0f : std::cos(angle); };
   return {cosine(inner_angle), cosine(outer_angle)};
   // --- skeleton

@@ -1,4 +1,4 @@
-// 03-shadow-mapping: the depth maps, and what the lights see. What each function must do stands in shadow_mapping.hpp.
+// 03-shadow-mapping: the depth maps, and what the lights see. The contract is shadow_mapping.hpp.
 #include "03-shadow-mapping/shadow_mapping.hpp"
 
 namespace atelier::shadow_mapping {
@@ -7,7 +7,7 @@ namespace atelier::shadow_mapping {
 
 ShadowMaps make_shadow_maps(Gl& gl, int resolution, int layers, GLenum internal_format, bool compare) {
   ShadowMaps maps{.resolution = resolution, .layers = layers};
-  // >>> student: an array texture without pixels, its filters, its border; a framebuffer with depth and no colour
+  // >>> student: an array texture without pixels, its filters and border; a framebuffer with depth and without colour
   gl.GenTextures(1, &maps.texture);
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, maps.texture);
   gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GLint(internal_format), resolution, resolution, layers, 0, GL_DEPTH_COMPONENT,
@@ -58,7 +58,7 @@ void begin_depth_pass(Gl& gl, const ShadowMaps& maps, int layer, bool cull_front
 
 LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, float outer_angle, const Sphere& sphere) {
   LightFrustum frustum{.eye = position, .direction = glm::normalize(direction)};
-  // >>> student: look at the sphere, or along the cone where that is narrower or the light within the sphere
+  // >>> student: look at the sphere, or along the light's own direction
   const glm::vec3 to_centre = sphere.centre - position;
   const float distance = glm::length(to_centre);
   frustum.extent = outer_angle;
@@ -79,7 +79,7 @@ LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, flo
 }
 
 glm::mat4 light_view(const LightFrustum& frustum) {
-  // >>> student: step 01's camera; eye + direction would lose the direction's digits far from the origin
+  // >>> student: a camera at the eye that looks along the direction, exact also far from the origin
   return transforms::look_at(glm::vec3(0), frustum.direction, glm::vec3(0, 1, 0)) * transforms::translation(-frustum.eye);
   // --- skeleton
   // | return glm::mat4(1.0f);
@@ -87,7 +87,7 @@ glm::mat4 light_view(const LightFrustum& frustum) {
 }
 
 glm::mat4 light_projection(const LightFrustum& frustum) {
-  // >>> student: step 01's projections; the map is square
+  // >>> student: a square pyramid or a square box
   if (frustum.orthographic)
     return transforms::orthographic(-frustum.extent, frustum.extent, -frustum.extent, frustum.extent, frustum.near,
                                     frustum.far);
@@ -98,18 +98,18 @@ glm::mat4 light_projection(const LightFrustum& frustum) {
 }
 
 glm::mat4 bias_matrix() {
-  // >>> student: x/2 + w/2, and so for y and z
+  // >>> student: from -1..1 to 0..1
   return {{0.5f, 0, 0, 0}, {0, 0.5f, 0, 0}, {0, 0, 0.5f, 0}, {0.5f, 0.5f, 0.5f, 1}};
   // --- skeleton
   // | return glm::mat4(1.0f);
   // <<< student
 }
 
-// ---- Further: a sun
+// ---- Further: directional lights
 
-LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere) {
+LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere) {
   LightFrustum frustum{.orthographic = true, .direction = glm::normalize(direction)};
-  // >>> student: the sphere's radius is all that it takes
+  // >>> student: the box that touches the sphere
   const float radius = std::max(sphere.radius, 1e-6f);
   frustum.eye = sphere.centre - radius * frustum.direction;
   frustum.extent = radius;
@@ -124,7 +124,7 @@ LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere) {
 
 LightFrustum snap_to_texels(const LightFrustum& frustum, int resolution) {
   LightFrustum snapped = frustum;
-  // >>> student: round the half-width up to a step, then the eye to the grid of texels
+  // >>> student: round the half-width up, then move the eye to the grid of texels
   if (!frustum.orthographic) return snapped;
   const float needed = frustum.extent * (1 + 1 / float(resolution));
   snapped.extent = std::exp2(std::ceil(4 * std::log2(needed)) / 4);

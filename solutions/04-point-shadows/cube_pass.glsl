@@ -1,9 +1,14 @@
-// 04-point-shadows, the cube pass: one triangle into six faces, and what is stored there. What each function must do stands
-// in point_shadows.hpp. GEOMETRY is defined for the geometry shader, FRAGMENT for the fragment shader.
+// 04-point-shadows, the cube pass: how triangles get into the six faces, and what is stored there. The contract of a
+// function is the comment above it. GEOMETRY is defined for the geometry shader, FRAGMENT for the fragment shader.
 
 #ifdef GEOMETRY
+// Draws one triangle into every face whose u_face_wanted[face] is above 0.5, each time as a triangle of its own.
+// Corners, in world space: v_corner_world[0] to [2]. Each vertex has three outputs: gl_Layer, the face, 0 to 5;
+// gl_Position, the corner in the clip space of the face (u_face_matrices[face] takes world space there);
+// g_position_world, the corner in world space, for the fragment shader. Inputs, outputs and uniforms are declared
+// already. Handout, section 3.
 void draw_in_faces() {
-  // >>> student: for each face that is wanted, three corners with gl_Layer, gl_Position and g_position_world
+  // >>> student: one triangle for each face that is wanted
   for (int face = 0; face < 6; ++face) {
     if (u_face_wanted[face] <= 0.5) continue;
     for (int corner = 0; corner < 3; ++corner) {
@@ -20,8 +25,10 @@ void draw_in_faces() {
 #endif
 
 #ifdef FRAGMENT
+// What a texel stores: the distance between the two points as a fraction of far, at most 1. World space, metres.
+// (3, 4, 0) from a light at the origin with far = 10: 0.5. Handout, section 4.
 float stored_distance(vec3 position, vec3 light, float far) {
-  // >>> student: the distance as a share of the farthest
+  // >>> student: the distance as a fraction of far
   return min(length(position - light) / far, 1.0);
   // --- skeleton
   // | return 1.0;

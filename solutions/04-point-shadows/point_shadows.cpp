@@ -1,4 +1,4 @@
-// 04-point-shadows: the cube map, and what a lamp sees all round. What each function must do stands in point_shadows.hpp.
+// 04-point-shadows: the cube map, and what a point light sees all around. The contract is point_shadows.hpp.
 #include "04-point-shadows/point_shadows.hpp"
 
 namespace atelier::point_shadows {
@@ -7,7 +7,7 @@ namespace atelier::point_shadows {
 
 CubeMap make_cube_map(Gl& gl, int resolution, GLenum internal_format, bool compare) {
   CubeMap cube{.resolution = resolution};
-  // >>> student: six faces without pixels, filters, edges; a framebuffer with all of them as layers
+  // >>> student: six faces without pixels, filters, wrap modes; a framebuffer with all faces as layers
   gl.GenTextures(1, &cube.texture);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture);
   for (int face = 0; face < 6; ++face)
@@ -62,7 +62,7 @@ void begin_cube_pass(Gl& gl, const CubeMap& cube, int face, bool cull_front_face
 // ---- Core 1: the six views
 
 glm::mat4 face_view(const glm::vec3& position, int face) {
-  // >>> student: which way each face looks, and which way is up there
+  // >>> student: where each face looks, and which direction is up in it
   static const glm::vec3 ahead[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
   static const glm::vec3 up[6] = {{0, -1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {0, -1, 0}};
   if (face < 0 || face > 5) throw std::invalid_argument("face_view: a cube has faces 0 to 5");
@@ -80,7 +80,7 @@ glm::mat4 face_projection(float near, float far) {
   // <<< student
 }
 
-// ---- Further: lamps that need no cube
+// ---- Further: point lights that need no cube
 
 std::optional<Cone> cone_around(const glm::vec3& position, std::span<const Sphere> spheres, float widest) {
   // >>> student: the mean direction, then the widest angle from it

@@ -1,11 +1,15 @@
-// 04-point-shadows, the lookup: how much of a lamp's light reaches a point. What each function must do stands in
-// point_shadows.hpp; the structs, uniforms and cubes are these:
+// 04-point-shadows, the lookup: which fraction of a point light reaches a point. The contract of a function is the
+// comment above it. World space, metres. A cube stores distances from the light as fractions of light.far. from_light
+// is the vector from the light to a point, in metres. CubeLight and the functions that read a cube are in this file:
 #include "04-point-shadows/given/cubes.glsl"
-// Step 03's functions, among them the biases:
+// Step 03's functions, the biases among them:
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
+// The width in metres of a texel of the cube at this point, for `resolution` texels along an edge. It is measured
+// parallel to the face that is looked up, in the plane through the point. A zero vector: 0. from_light = (3, -1, 2),
+// 512 texels: 0.01172 m. Derivation: handout, section 5.
 float cube_texel(vec3 from_light, float resolution) {
-  // >>> student: the face is as far away as the largest component, and twice as wide as far
+  // >>> student: the width of a face at this distance, divided by its texels
   vec3 along = abs(from_light);
   return 2.0 * max(along.x, max(along.y, along.z)) / resolution;
   // --- skeleton
@@ -13,8 +17,13 @@ float cube_texel(vec3 from_light, float resolution) {
   // <<< student
 }
 
-float cube_lit(int cube, vec3 from_light, float reference) {
-  // >>> student: compare the reference with what is stored in that direction, by COMPARE
+// 1 where the reference (a distance as a fraction of far) is at most what the cube holds in this direction, otherwise
+//   0; 1
+// for a zero vector. The length of from_light does not matter. stored_in_cube(cube, direction) returns the stored
+// value. With COMPARE (further), compared_with_cube(cube, direction, reference) compares four texels and interpolates
+// the answers. Handout, section 4.
+float compare_cube_distance(int cube, vec3 from_light, float reference) {
+  // >>> student: compare the reference with what is stored in this direction, with and without COMPARE
   if (dot(from_light, from_light) == 0.0) return 1.0;
 #ifdef COMPARE
   return compared_with_cube(cube, from_light, reference);
@@ -26,8 +35,13 @@ float cube_lit(int cube, vec3 from_light, float reference) {
   // <<< student
 }
 
+// The mean of PCF x PCF comparisons with one and the same reference, in a square grid of directions around from_light.
+// The steps of the grid are one texel (cube_texel) long, along the unit vectors u = normalize(cross(a, from_light)) and
+// v = cross(normalize(from_light), u); its centre is from_light. a is the axis x, y or z along which from_light has the
+// smallest absolute component, the first one if two are equal. 1 for a zero vector. Handout, section 6. You may call:
+// cube_texel, cube_resolution, compare_cube_distance.
 float cube_pcf(CubeLight light, vec3 from_light, float reference) {
-  // >>> student: two directions square to from_light, and a grid of comparisons along them, a texel apart
+  // >>> student: two directions perpendicular to from_light, and a grid of comparisons along them
   if (dot(from_light, from_light) == 0.0) return 1.0;
   vec3 along = abs(from_light);
   vec3 axis = along.x <= along.y && along.x <= along.z ? vec3(1.0, 0.0, 0.0)
@@ -39,17 +53,25 @@ float cube_pcf(CubeLight light, vec3 from_light, float reference) {
   for (int y = 0; y < PCF; ++y)
     for (int x = 0; x < PCF; ++x) {
       vec2 offset = texel * (vec2(x, y) - 0.5 * float(PCF - 1));
-      sum += cube_lit(light.cube, from_light + offset.x * u + offset.y * v, reference);
+      sum += compare_cube_distance(light.cube, from_light + offset.x * u + offset.y * v, reference);
     }
   return sum / float(PCF * PCF);
   // --- skeleton
-  // | return cube_lit(light.cube, from_light, reference);
+  // | return compare_cube_distance(light.cube, from_light, reference);
   // <<< student
 }
 
+// The fraction of the light that reaches a point, 0 to 1. BIAS chooses how the point is moved, with step 03's
+// functions:
+// 0 not at all, 1 constant_bias, 2 slope_bias, 3 and 4 normal_offset. The amount is u_bias * FILTER_WIDTH texels,
+//   measured
+// where the point is before it is moved. The axis is to_light, because distances are stored: derivation in the handout,
+// section 5. Direction and distance are those of the moved point. The distance as a fraction of light.far is at most 1:
+// a point beyond far is compared as if it were at far. With BIAS other than 0 it is then lowered by u_depth_epsilon.
+// You may call: cube_texel, cube_resolution, cube_pcf, step 03's three biases.
 float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_light) {
-  // >>> student: bias by BIAS, then the moved point's distance and direction
-  float amount = u_bias * KERNEL * cube_texel(position - light.position, cube_resolution());
+  // >>> student: bias, then direction and distance of the moved point
+  float amount = u_bias * FILTER_WIDTH * cube_texel(position - light.position, cube_resolution());
 #if BIAS == 1
   position = constant_bias(position, to_light, amount);
 #elif BIAS == 2
@@ -60,7 +82,7 @@ float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_l
   vec3 from_light = position - light.position;
   float reference = min(length(from_light) / light.far, 1.0);
 #if BIAS != 0
-  reference -= u_depth_step;
+  reference -= u_depth_epsilon;
 #endif
   return cube_pcf(light, from_light, reference);
   // --- skeleton

@@ -25,14 +25,14 @@ std::vector<Image> mipmaps(const Image& base) {
 
 GLuint upload_texture(Gl& gl, std::span<const Image> levels, Wrap wrap, Filter filter) {
   GLuint texture = 0;
-  // TODO(02-blinn-phong): make and bind a texture, upload each level with its rows turned, then set filter, wrap and highest level
+  // TODO(02-blinn-phong): make and bind a texture, upload each level with its last row first, then set filter, wrap and highest level
   return texture;
 }
 
 // ---- Core 3: spot lights
 
 glm::vec2 cone_cosines(float inner_angle, float outer_angle) {
-  // TODO(02-blinn-phong): two cosines; do not leave it to a cosine's rounding that pi gives exactly -1
+  // TODO(02-blinn-phong): two cosines; std::cos of a float near pi need not be exactly -1
   return {1.0f, -1.0f};
 }
 

@@ -1,4 +1,4 @@
-// 03-shadow-mapping: the depth maps, and what the lights see. What each function must do stands in shadow_mapping.hpp.
+// 03-shadow-mapping: the depth maps, and what the lights see. The contract is shadow_mapping.hpp.
 #include "03-shadow-mapping/shadow_mapping.hpp"
 
 namespace atelier::shadow_mapping {
@@ -7,7 +7,7 @@ namespace atelier::shadow_mapping {
 
 ShadowMaps make_shadow_maps(Gl& gl, int resolution, int layers, GLenum internal_format, bool compare) {
   ShadowMaps maps{.resolution = resolution, .layers = layers};
-  // TODO(03-shadow-mapping): an array texture without pixels, its filters, its border; a framebuffer with depth and no colour
+  // TODO(03-shadow-mapping): an array texture without pixels, its filters and border; a framebuffer with depth and without colour
   return maps;
 }
 
@@ -19,30 +19,30 @@ void begin_depth_pass(Gl& gl, const ShadowMaps& maps, int layer, bool cull_front
 
 LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, float outer_angle, const Sphere& sphere) {
   LightFrustum frustum{.eye = position, .direction = glm::normalize(direction)};
-  // TODO(03-shadow-mapping): look at the sphere, or along the cone where that is narrower or the light within the sphere
+  // TODO(03-shadow-mapping): look at the sphere, or along the light's own direction
   return frustum;
 }
 
 glm::mat4 light_view(const LightFrustum& frustum) {
-  // TODO(03-shadow-mapping): step 01's camera; eye + direction would lose the direction's digits far from the origin
+  // TODO(03-shadow-mapping): a camera at the eye that looks along the direction, exact also far from the origin
   return glm::mat4(1.0f);
 }
 
 glm::mat4 light_projection(const LightFrustum& frustum) {
-  // TODO(03-shadow-mapping): step 01's projections; the map is square
+  // TODO(03-shadow-mapping): a square pyramid or a square box
   return glm::mat4(1.0f);
 }
 
 glm::mat4 bias_matrix() {
-  // TODO(03-shadow-mapping): x/2 + w/2, and so for y and z
+  // TODO(03-shadow-mapping): from -1..1 to 0..1
   return glm::mat4(1.0f);
 }
 
-// ---- Further: a sun
+// ---- Further: directional lights
 
-LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere) {
+LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere) {
   LightFrustum frustum{.orthographic = true, .direction = glm::normalize(direction)};
-  // TODO(03-shadow-mapping): the sphere's radius is all that it takes
+  // TODO(03-shadow-mapping): the box that touches the sphere
   return frustum;
 }
 
@@ -50,7 +50,7 @@ LightFrustum fit_sun(const glm::vec3& direction, const Sphere& sphere) {
 
 LightFrustum snap_to_texels(const LightFrustum& frustum, int resolution) {
   LightFrustum snapped = frustum;
-  // TODO(03-shadow-mapping): round the half-width up to a step, then the eye to the grid of texels
+  // TODO(03-shadow-mapping): round the half-width up, then move the eye to the grid of texels
   return snapped;
 }
 

@@ -1,4 +1,4 @@
-// 04-point-shadows: the cube map, and what a lamp sees all round. What each function must do stands in point_shadows.hpp.
+// 04-point-shadows: the cube map, and what a point light sees all around. The contract is point_shadows.hpp.
 #include "04-point-shadows/point_shadows.hpp"
 
 namespace atelier::point_shadows {
@@ -7,7 +7,7 @@ namespace atelier::point_shadows {
 
 CubeMap make_cube_map(Gl& gl, int resolution, GLenum internal_format, bool compare) {
   CubeMap cube{.resolution = resolution};
-  // TODO(04-point-shadows): six faces without pixels, filters, edges; a framebuffer with all of them as layers
+  // TODO(04-point-shadows): six faces without pixels, filters, wrap modes; a framebuffer with all faces as layers
   return cube;
 }
 
@@ -18,7 +18,7 @@ void begin_cube_pass(Gl& gl, const CubeMap& cube, int face, bool cull_front_face
 // ---- Core 1: the six views
 
 glm::mat4 face_view(const glm::vec3& position, int face) {
-  // TODO(04-point-shadows): which way each face looks, and which way is up there
+  // TODO(04-point-shadows): where each face looks, and which direction is up in it
   return glm::mat4(1.0f);
 }
 
@@ -27,7 +27,7 @@ glm::mat4 face_projection(float near, float far) {
   return glm::mat4(1.0f);
 }
 
-// ---- Further: lamps that need no cube
+// ---- Further: point lights that need no cube
 
 std::optional<Cone> cone_around(const glm::vec3& position, std::span<const Sphere> spheres, float widest) {
   // TODO(04-point-shadows): the mean direction, then the widest angle from it

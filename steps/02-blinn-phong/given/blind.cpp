@@ -5,7 +5,7 @@ namespace atelier {
 SettingSpec blind_setting() {
   return {.name = "light.blind",
           .fallback = false,
-          .help = "hang a blind before every light: its slats let one half of the light through, in stripes"};
+          .help = "hang a blind in front of every light: its slats let half of the light through, in stripes"};
 }
 
 void Blind::configure(const Settings& settings) {

@@ -14,14 +14,14 @@ struct PointLight {
 
 struct SpotLight {
   vec3 position;
-  vec3 direction;  // unit vector, the way that the light travels
+  vec3 direction;  // unit vector: the direction in which the light travels
   vec3 colour;
   vec3 attenuation;
-  vec2 cosines;  // of the inner and the outer angle
+  vec2 cosines;  // of the inner and the outer angle: cone_cosines
 };
 
 struct DirectionalLight {
-  vec3 direction;  // unit vector, the way that the light travels
+  vec3 direction;  // unit vector: the direction in which the light travels
   vec3 colour;
 };
 
@@ -38,8 +38,9 @@ uniform DirectionalLight u_directional_lights[DIRECTIONAL_LIGHTS];
 #endif
 uniform vec3 u_ambient;
 
-// How much of each light reaches the point that is shaded: 0 none, 1 all, by the light's number in its array. It is worked
-// out for every light before `shade` is called, so it may be asked for anywhere. 1 where nothing can stand in the way.
+// The visibility of each light at the point that is shaded: the fraction of its light that arrives, 0 to 1. The
+// argument is the light's index in its array. The values are computed before `shade` is called, so these functions may
+// be called anywhere, also in branches. 1 where nothing can be in the way.
 #ifdef VISIBILITY
 #if POINT_LIGHTS > 0
 float point_visibility[POINT_LIGHTS];

@@ -57,7 +57,7 @@ SettingSpec shading_setting() {
   return {.name = "shading",
           .fallback = std::string("pixel"),
           .choices = {"pixel", "vertex"},
-          .help = "where light is worked out: for every pixel, or for every corner and interpolated (Gouraud)"};
+          .help = "where lighting is computed: at every pixel, or at every vertex and then interpolated (Gouraud)"};
 }
 
 std::vector<SettingSpec> lit_surface_settings() {
@@ -65,24 +65,24 @@ std::vector<SettingSpec> lit_surface_settings() {
       {.name = "specular.normalisation",
        .fallback = std::string("none"),
        .choices = {"none", "n+8", "exact"},
-       .help = "the factor that keeps a highlight's energy when the exponent changes"},
+       .help = "the factor that keeps the energy of a highlight constant when the exponent changes"},
       {.name = "specular.power",
        .fallback = std::string("direct"),
        .choices = {"direct", "stable", "table"},
-       .help = "how the cosine is raised to the exponent"},
+       .help = "how the power of the cosine is computed"},
       {.name = "specular.table_size", .fallback = 256, .low = 2, .high = 4096, .help = "entries of the power table"},
       {.name = "light.count",
        .fallback = 64,
        .low = 0,
        .high = 64,
-       .help = "how many of the scene's lights shine, in their order"},
+       .help = "how many of the scene's lights are on, in their order"},
       {.name = "light.cull",
        .fallback = true,
-       .help = "leave out lights that all together are too weak to change a pixel by one code of 255"},
+       .help = "leave out lights that together are too weak to change a pixel by 1/255"},
       {.name = "texture.filter",
        .fallback = std::string("scene"),
        .choices = {"scene", "nearest", "linear", "mipmap"},
-       .help = "how texels become a colour; scene: as each texture says"},
+       .help = "how texels are filtered; scene: as each texture says"},
       {.name = "texture.decode",
        .fallback = std::string("before"),
        .choices = {"before", "after"},

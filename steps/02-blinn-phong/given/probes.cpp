@@ -121,8 +121,8 @@ std::map<std::string, Probe> blinn_phong_probes() {
   const std::string to_light = glsl() + "vec3 to_light;\n";
   const std::string point = "PointLight(light_position, light_colour, coefficients)";
   const std::string spot = "SpotLight(light_position, axis, light_colour, coefficients, cosines)";
-  const std::string sun = "DirectionalLight(axis, light_colour)";
-  for (const auto& [name, light] : {std::pair{"point", point}, {"spot", spot}, {"direction", sun}}) {
+  const std::string directional = "DirectionalLight(axis, light_colour)";
+  for (const auto& [name, light] : {std::pair{"point", point}, {"spot", spot}, {"direction", directional}}) {
     const std::string call = fmt::format("arriving_from_{}({}, position, to_light)", name, light);
     probes[fmt::format("arriving_from_{}", name)] = shader_probe(to_light, "vec4(" + call + ", 0.0)", 3);
     probes[fmt::format("to_{}_light", name)] = shader_probe(to_light, "vec4(" + call + " * 0.0 + to_light, 0.0)", 3);

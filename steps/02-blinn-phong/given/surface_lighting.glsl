@@ -41,7 +41,7 @@ vec3 unit_way(vec3 from, vec3 to) {
   return distance > 0.0 ? difference / distance : vec3(0.0, 1.0, 0.0);
 }
 
-// For every light, whatever the surface: code that answers may take derivatives, which need all pixels.
+// For every light, at every pixel: the functions called here may use derivatives, which need neighbouring pixels.
 void find_visibility(vec3 position, vec3 normal) {
   vec3 n = dot(normal, normal) > 0.0 ? normalize(normal) : vec3(0.0);
 #if POINT_LIGHTS > 0
@@ -69,7 +69,7 @@ vec3 shade_material(Surface surface, Material m) {
 
 vec3 shade_surface(Surface surface) { return u_emission + shade_material(surface, material_at(surface)); }
 
-// Intermediates: one part of the model alone.
+// Intermediate results: one part of the model alone.
 
 vec3 shade_diffuse_only(Surface surface) {
   Material m = material_at(surface);

@@ -8,9 +8,9 @@
 namespace atelier {
 
 const std::string bias_as_argument =
-    "#define u_bias u_other_bias\n#define u_depth_step u_other_depth_step\n"
+    "#define u_bias u_other_bias\n#define u_depth_epsilon u_other_depth_epsilon\n"
     "#include \"03-shadow-mapping/given/shadows.glsl\"\n"
-    "#undef u_bias\n#undef u_depth_step\n";
+    "#undef u_bias\n#undef u_depth_epsilon\n";
 
 GLenum depth_format_of(const Arguments& in) {
   constexpr std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};

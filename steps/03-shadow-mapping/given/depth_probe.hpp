@@ -17,8 +17,8 @@ Numbers depth_pass_state(Gl& gl);
 /// Back to what the next probe expects.
 void end_depth_pass(Gl& gl);
 
-/// The text that leaves it to a probe's arguments to declare u_bias and u_depth_step: shadows.glsl declares others in
-/// their place.
+/// The text that leaves it to a probe's arguments to declare u_bias and u_depth_epsilon: shadows.glsl declares others
+/// in their place.
 extern const std::string bias_as_argument;
 
 }  // namespace atelier

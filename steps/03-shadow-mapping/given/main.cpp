@@ -15,8 +15,8 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .scenes = shadow_scenes(),
       .settings = {shadow_setting_specs(), shadow_scene_settings(), lit_surface_settings()},
       .outputs = {shadow_factor_output(),
-                  {"shadow_coordinate", Encoding::data, "(u, v, z) of one light's map"},
-                  {"shadow_map", Encoding::data, "one light's map as it is stored, 0 to 1"}},
+                  {"shadow_coordinate", Encoding::data, "(u, v, z) in the map of one light"},
+                  {"shadow_map", Encoding::data, "the map of one light as it is stored, 0 to 1"}},
       .probes = shadow_mapping_probes(),
       .transforms = transform_functions(),
       .features =

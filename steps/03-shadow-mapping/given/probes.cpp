@@ -22,11 +22,11 @@ std::string glsl(const std::string& defines = "") {
          "#include \"03-shadow-mapping/shadow_mapping.glsl\"\n";
 }
 
-/// A light of GLSL, from the arguments eye, direction, half_width, near, far, width, sun and layer.
+/// A light of GLSL, from the arguments eye, direction, half_width, near, far, width, directional and layer.
 const std::string light_of_arguments =
-    "ShadowLight(world_to_map, eye, direction, half_width, near, far, width, sun > 0.5, int(layer))";
+    "ShadowLight(world_to_map, eye, direction, half_width, near, far, width, directional > 0.5, int(layer))";
 const std::string plain_light =
-    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, sun > 0.5, 0)";
+    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, directional > 0.5, 0)";
 
 /// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over. Bound
 /// to texture unit 0 as long as it lives.
@@ -157,9 +157,9 @@ std::map<std::string, Probe> shadow_mapping_probes() {
          return numbers_of(fit_spot(glm::vec3(in.vec3("position")), glm::vec3(in.vec3("direction")),
                                     float(in.number("outer_angle")), sphere_of(in)));
        }},
-      {"fit_sun",
+      {"fit_directional",
        [](ProbeContext&, const Arguments& in) {
-         return numbers_of(fit_sun(glm::vec3(in.vec3("direction")), sphere_of(in)));
+         return numbers_of(fit_directional(glm::vec3(in.vec3("direction")), sphere_of(in)));
        }},
       {"snap_to_texels",
        [](ProbeContext&, const Arguments& in) {
@@ -180,8 +180,8 @@ std::map<std::string, Probe> shadow_mapping_probes() {
       {"plane_slope", shader_probe(glsl(), "vec4(plane_slope(dx, dy), 0.0, 0.0)", 2)},
       {"linear_depth", shader_probe(glsl(), "vec4(linear_depth(" + plain_light + ", z))", 1)},
       {"penumbra_width", shader_probe(glsl(), "vec4(penumbra_width(" + plain_light + ", receiver, blocker))", 1)},
-      {"lit", map_probe("", "vec4(lit(coordinate, int(layer)))", 1)},
-      {"lit_bilinear", map_probe(compare, "vec4(lit(coordinate, int(layer)))", 1)},
+      {"compare_depth", map_probe("", "vec4(compare_depth(coordinate, int(layer)))", 1)},
+      {"compare_depth_bilinear", map_probe(compare, "vec4(compare_depth(coordinate, int(layer)))", 1)},
       {"pcf", map_probe(pcf3, "vec4(pcf(coordinate, slope, int(layer)))", 1)},
       {"pcf_bilinear", map_probe(pcf3 + compare, "vec4(pcf(coordinate, slope, int(layer)))", 1)},
       {"blocker_depth", map_probe(pcss, "vec4(blocker_depth(" + plain_light + ", coordinate, slope, search))", 1)},

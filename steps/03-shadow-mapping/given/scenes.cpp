@@ -67,9 +67,9 @@ void roll(Scene& scene, const glm::vec3& axis, float angle) {
   scene.camera.up = glm::vec3(turn * glm::dvec3(scene.camera.up));
 }
 
-/// A wide floor under a low sun, and one post: where surfaces shade themselves. The sun's map has its up where the
-/// world's is, so its texels lie in rows along the floor unless all but the sun is rolled about the sun's direction:
-/// the picture is the same, its map has turned.
+/// A wide floor under a low directional light, and one post: where surfaces shade themselves. The light's map has its
+/// up where the world's is, so its texels lie in rows along the floor unless all but the light is rotated about its
+/// direction: the picture is the same, its map has turned.
 Scene grazing(const Settings& settings) {
   Scene scene{.name = "grazing"};
   scene.ambient = glm::vec3(0.1f);
@@ -118,10 +118,10 @@ Scene three_spots() {
   return scene;
 }
 
-/// A board over a floor under a lamp with an extent: its half-shadow has a width that can be computed. The lamp hangs
+/// A board over a floor under a light with an extent: its penumbra has a width that can be computed. The light hangs
 /// `penumbra.light` metres over the floor, the board `penumbra.board` metres. The edge of its shadow runs through the
-/// origin, where the lamp is straight above, and along z unless the board is turned. A second board may hang above the
-/// same edge: two half-shadows in one place.
+/// origin, where the light is straight above, and along z unless the board is turned. A second board may hang above the
+/// same edge: two penumbrae in one place.
 Scene penumbra(const Settings& settings) {
   Scene scene{.name = "penumbra"};
   scene.ambient = glm::vec3(0.02f);
@@ -143,7 +143,7 @@ Scene penumbra(const Settings& settings) {
   return scene;
 }
 
-/// A row of columns in the sun, long enough that one map for all of it is too coarse.
+/// A row of columns under a directional light, long enough that one map for all of it is too coarse.
 Scene colonnade() {
   Scene scene{.name = "colonnade"};
   scene.ambient = {0.12f, 0.14f, 0.18f};
@@ -243,14 +243,14 @@ SettingSpec scale_setting() {
           .fallback = 1.0,
           .low = 1e-3,
           .high = 1e5,
-          .help = "how large the scene is built; the picture should not change"};
+          .help = "factor by which the whole scene is enlarged; the picture should not change"};
 }
 
 SettingSpec casters_setting() {
   return {.name = "scene.casters",
           .fallback = std::string("flagged"),
           .choices = {"flagged", "all"},
-          .help = "what casts shadows: the nodes that the scene says, or every node, as where no program knows better"};
+          .help = "what casts shadows: the nodes that the scene marks as casters, or every node"};
 }
 
 void choose_casters(Scene& scene, const Settings& settings) {
@@ -280,37 +280,41 @@ std::vector<SettingSpec> shadow_scene_settings() {
        .fallback = 0.0,
        .low = -360,
        .high = 360,
-       .help = "degrees by which all lights are turned about the vertical axis"},
+       .help = "degrees by which all lights are rotated about the vertical axis"},
       scale_setting(),
       casters_setting(),
       {.name = "grazing.angle",
        .fallback = 75.0,
        .low = 0,
        .high = 89.9,
-       .help = "of the scene 'grazing': 90 less this is the sun's height in degrees, seen from the side; the light "
-               "meets the floor up to 1.3 degrees flatter"},
+       .help = "of the scene 'grazing': degrees between the floor's normal and the directional light, seen from the "
+               "side; the true angle is up to 1.3 degrees larger"},
       {.name = "grazing.roll",
        .fallback = 0.0,
        .low = -180,
        .high = 180,
-       .help = "of 'grazing': degrees by which floor, post and camera are rolled about the sun's direction, and so "
-               "turned in its map"},
-      {.name = "penumbra.light", .fallback = 3.0, .low = 1, .high = 10, .help = "of 'penumbra': the lamp's height, m"},
+       .help = "of 'grazing': degrees by which floor, post and camera are rotated about the direction of the light, "
+               "and so rotated in its map"},
+      {.name = "penumbra.light",
+       .fallback = 3.0,
+       .low = 1,
+       .high = 10,
+       .help = "of 'penumbra': height of the light, m"},
       {.name = "penumbra.board",
        .fallback = 0.6,
        .low = 0.01,
        .high = 0.9,
-       .help = "of 'penumbra': the board's height, m"},
+       .help = "of 'penumbra': height of the board, m"},
       {.name = "penumbra.second",
        .fallback = 0.0,
        .low = 0,
        .high = 0.9,
-       .help = "of 'penumbra': the height of a second board over the same edge, m; 0: there is none"},
+       .help = "of 'penumbra': height of a second board above the same edge, m; 0: none"},
       {.name = "penumbra.turn",
        .fallback = 0.0,
        .low = -180,
        .high = 180,
-       .help = "of 'penumbra': degrees by which the boards are turned about the vertical axis, and so in the map"},
+       .help = "of 'penumbra': degrees by which the boards are rotated about the vertical axis, and so in the map"},
   };
 }
 

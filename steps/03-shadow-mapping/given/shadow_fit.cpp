@@ -59,8 +59,8 @@ Box3 box_around(std::span<const glm::dvec3> points) {
   return box;
 }
 
-/// Columns: two directions square to a unit vector and to each other, and the vector. The first two lie along the map's
-/// edges, as the light's look_at has them: a rectangle that is measured along others would not fit into it.
+/// Columns: two directions perpendicular to a unit vector and to each other, and the vector. The first two lie along
+/// the map's edges, as the light's look_at has them: a rectangle that is measured along others would not fit into it.
 glm::dmat3 frame_around(const glm::dvec3& z) {
   const glm::dvec3 up(0, 1, 0);
   const glm::dvec3 other = glm::length(glm::cross(up, z)) > 1e-6 ? up : glm::dvec3(1, 0, 0);
@@ -186,9 +186,9 @@ float nearest_depth(std::span<const glm::dvec3> points, const shadow_mapping::Li
   return float(nearest);
 }
 
-std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& direction,
-                                                            std::span<const glm::dvec3> casters,
-                                                            std::span<const glm::dvec3> receivers) {
+std::optional<shadow_mapping::LightFrustum> fit_directional_to_both(const glm::vec3& direction,
+                                                                    std::span<const glm::dvec3> casters,
+                                                                    std::span<const glm::dvec3> receivers) {
   if (casters.empty() || receivers.empty()) return {};
   const glm::dmat3 from_light = frame_around(glm::normalize(glm::dvec3(direction)));
   const auto box_seen = [&](std::span<const glm::dvec3> points) {
@@ -202,7 +202,7 @@ std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& dir
   if (both.low.x > both.high.x || both.low.y > both.high.y || both.low.z > both.high.z) return {};
   const glm::dvec3 size = both.high - both.low, middle = from_light * ((both.low + both.high) * 0.5);
   shadow_mapping::LightFrustum frustum =
-      shadow_mapping::fit_sun(direction, {glm::vec3(middle), float(std::max(size.x, size.y) / 2)});
+      shadow_mapping::fit_directional(direction, {glm::vec3(middle), float(std::max(size.x, size.y) / 2)});
   const float eye = glm::dot(frustum.eye, frustum.direction);
   const float slack = 1e-4f * float(size.z) + 1e-6f;  // floats must not put the farthest receiver beyond the plane
   frustum.eye += (float(both.low.z) - eye - slack) * frustum.direction;  // where depths begin: none is negative

@@ -32,7 +32,7 @@ Pieces visible_receivers(const Scene& scene, std::span<const ScenePainter::Item>
 glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int resolution, float aside);
 
 /// Whether any of the pieces may lie in the view of a cube's face, which is a right angle wide and on each side by a
-/// share `aside` of its half-width more. `view` takes world space to the face's, which looks along -z.
+/// fraction `aside` of its half-width more. `view` takes world space to the face's, which looks along -z.
 bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside);
 
 /// A sphere around the middle of the points' bounding box that holds them all; none around no points.
@@ -47,11 +47,11 @@ bool shines_past(const Light& spot, const glm::vec3& position, const shadow_mapp
 /// Of the points, metres along the frustum's direction from its eye; negative behind it.
 float nearest_depth(std::span<const glm::dvec3> points, const shadow_mapping::LightFrustum& frustum);
 
-/// The box of a sun around what casters and receivers have in common, seen along its light: a shadow falls nowhere
-/// else. The student's fit_sun, with planes that run from the nearest caster to the farthest receiver. None where they
-/// have nothing in common.
-std::optional<shadow_mapping::LightFrustum> fit_sun_to_both(const glm::vec3& direction,
-                                                            std::span<const glm::dvec3> casters,
-                                                            std::span<const glm::dvec3> receivers);
+/// The box of a directional light around what casters and receivers have in common, seen along its light: a shadow
+/// falls nowhere else. The student's fit_directional, with planes that run from the nearest caster to the farthest
+/// receiver. None where they have nothing in common.
+std::optional<shadow_mapping::LightFrustum> fit_directional_to_both(const glm::vec3& direction,
+                                                                    std::span<const glm::dvec3> casters,
+                                                                    std::span<const glm::dvec3> receivers);
 
 }  // namespace atelier

@@ -5,7 +5,7 @@
 namespace atelier {
 
 OutputSpec shadow_factor_output() {
-  return {"shadow_factor", Encoding::data, "the share of one light that arrives: 1 lit, 0 in shadow"};
+  return {"shadow_factor", Encoding::data, "the fraction of one light that arrives: 1 lit, 0 in shadow"};
 }
 
 std::vector<SettingSpec> shadow_setting_specs() {
@@ -18,55 +18,58 @@ std::vector<SettingSpec> shadow_setting_specs() {
       {.name = "shadow.bias",
        .fallback = std::string("normal"),
        .choices = {"none", "constant", "slope", "normal", "plane", "front-faces"},
-       .help = "what keeps a surface from shading itself"},
+       .help = "what keeps a surface from casting a shadow on itself"},
       {.name = "shadow.bias_size",
        .fallback = 1.0,
        .low = -16,
        .high = 64,
-       .help = "how large the bias is: in texels, times the width of the filter"},
+       .help = "size of the bias: in texels, for a filter of one texel; wider filters get proportionally more"},
       {.name = "shadow.filter",
        .fallback = std::string("nearest"),
        .choices = {"nearest", "bilinear"},
-       .help = "one comparison, or the mixed answers of the four nearest texels"},
+       .help = "how one comparison is made: with the nearest texel, or with the four nearest, interpolated"},
       {.name = "shadow.pcf", .fallback = 1, .low = 1, .high = 15, .help = "comparisons along a side of the filter"},
       {.name = "shadow.soft",
        .fallback = std::string("pcf"),
        .choices = {"pcf", "pcss"},
-       .help = "a filter of one width, or one as wide as the half-shadow (which reads texels as they are)"},
+       .help = "a filter of fixed width (pcf), or one as wide as the penumbra (pcss, which compares with nearest "
+               "texels only)"},
       {.name = "shadow.samples",
        .fallback = 16,
        .low = 1,
        .high = 1024,
-       .help = "of pcss: texels that look for blockers, and comparisons; on a grid the next smaller square number"},
+       .help = "of pcss: number of texels read to find blockers, and number of comparisons; on a grid the next smaller "
+               "square number"},
       {.name = "shadow.pattern",
        .fallback = std::string("grid"),
        .choices = {"grid", "random"},
-       .help = "where the samples of pcss lie"},
+       .help = "of pcss: how samples are placed"},
       {.name = "light.width",
        .fallback = 0.0,
        .low = 0,
        .high = 10,
-       .help = "of the lights themselves: metres along a side, the tangent of a sun's angle; 0: points"},
+       .help = "size of the light sources: side of a spot light in metres, tangent of the angle of a directional "
+               "light; 0: points"},
       {.name = "shadow.fit",
        .fallback = std::string("scene"),
        .choices = {"fixed", "scene", "casters", "visible"},
-       .help = "what a map covers: shadow.reach whatever the scene is, all that casts or receives, what casts, or what "
-               "of it matters to the picture"},
+       .help = "what a map covers: fixed, shadow.reach metres; scene, all casters and receivers; casters; visible, "
+               "casters and receivers that matter to this picture"},
       {.name = "shadow.reach",
        .fallback = 10.0,
        .low = 1e-3,
        .high = 1e6,
-       .help = "metres around the world's origin that a map covers, where shadow.fit is fixed"},
+       .help = "of shadow.fit = fixed: radius around the world's origin that a map covers, m"},
       {.name = "shadow.update",
        .fallback = std::string("when-moved"),
        .choices = {"always", "when-moved"},
-       .help = "when maps are drawn: for every frame, or when what they show has changed"},
+       .help = "when maps are drawn: for every frame, or only after something in them has changed"},
       {.name = "shadow.light",
        .fallback = 0,
        .low = 0,
        .high = 63,
-       .help =
-           "whose shadow the outputs shadow_map, shadow_coordinate and shadow_factor show: the scene's lights from 0"},
+       .help = "the light that the outputs shadow_map, shadow_coordinate and shadow_factor show: its index in the "
+               "scene, from 0"},
   };
 }
 
@@ -143,7 +146,7 @@ Defines filter_structure(const ShadowSettings& s) {
 void bind_bias(Binder& binder, const ShadowSettings& s) {
   binder.set("u_bias", s.bias_size);
   // The products of matrices err by some ten units in the last place of a float near 1, whatever the format.
-  binder.set("u_depth_step", 1e-6f + (s.format == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
+  binder.set("u_depth_epsilon", 1e-6f + (s.format == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
 }
 
 }  // namespace atelier

@@ -66,9 +66,9 @@ Sphere ShadowedSurface::covered(const Extents& extents) const {
   return *sphere_around(settings_.fit == ShadowSettings::Fit::scene ? extents.all : extents.casters);
 }
 
-std::optional<LightFrustum> ShadowedSurface::fit_to_sun(const Light& light, const Extents& extents) const {
-  if (settings_.fit != ShadowSettings::Fit::visible) return fit_sun(light.direction, covered(extents));
-  const auto tight = fit_sun_to_both(light.direction, extents.casters, extents.seen);
+std::optional<LightFrustum> ShadowedSurface::fit_to_directional(const Light& light, const Extents& extents) const {
+  if (settings_.fit != ShadowSettings::Fit::visible) return fit_directional(light.direction, covered(extents));
+  const auto tight = fit_directional_to_both(light.direction, extents.casters, extents.seen);
   if (!tight) return {};
   return snap_to_texels(*tight, settings_.resolution);
 }
@@ -91,7 +91,7 @@ std::optional<LightFrustum> ShadowedSurface::fit_to_spot(const Light& light, con
 std::optional<LightFrustum> ShadowedSurface::frustum_of(int light, const glm::vec3& position,
                                                         const Extents& extents) const {
   const Light& source = lights_.light(light);
-  if (source.type == LightType::directional) return fit_to_sun(source, extents);
+  if (source.type == LightType::directional) return fit_to_directional(source, extents);
   if (source.type == LightType::spot) return fit_to_spot(source, position, extents);
   const auto found = points_.find(light);
   return found != points_.end() ? std::optional(found->second) : std::nullopt;
@@ -293,16 +293,16 @@ void ShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoint& v
     binder.set(name + "near", frustum.near);
     binder.set(name + "far", frustum.far);
     binder.set(name + "width", float(settings_.light_width));
-    binder.set(name + "sun", int(frustum.orthographic));
+    binder.set(name + "directional", int(frustum.orthographic));
     binder.set(name + "layer", int(i));
   }
   bind_bias(binder, settings_);
   if (texture_) binder.texture("u_shadow_maps", texture_.id(), GL_TEXTURE_2D_ARRAY);
   if (settings_.shown_light < int(lights_.all.size())) {
     const Light& light = lights_.light(settings_.shown_light);
-    const bool sun = light.type == LightType::directional;
+    const bool directional = light.type == LightType::directional;
     binder.set("u_shown_position", glm::vec3(light.position - viewpoint.origin));
-    binder.set("u_shown_direction", sun ? -glm::normalize(light.direction) : glm::vec3(0));
+    binder.set("u_shown_direction", directional ? -glm::normalize(light.direction) : glm::vec3(0));
   }
 }
 

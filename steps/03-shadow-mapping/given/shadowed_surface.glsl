@@ -1,10 +1,10 @@
 // Hands a surface point to the student's functions. Given.
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
-// PARALLEL: in all matrices of suns the last row is 0 0 0 1, as it must be without a perspective.
+// PARALLEL: the last row of the matrices of all directional lights is 0 0 0 1, as it must be without perspective.
 //
-// Which of u_shadow_lights a light is, -1: it has no map. Constants, because what the compiler knows it need not work
-// out for every pixel: which light's numbers to fetch, which layer to look up, whether there is a perspective.
+// The index of each light in u_shadow_lights; -1: it has no map. These are constants, so that the compiler knows which
+// light and which layer are read, and whether there is perspective.
 #if SPOT_LIGHTS > 0
 const int spot_maps[SPOT_LIGHTS] = int[](SPOT_MAPS);
 #endif
@@ -12,17 +12,17 @@ const int spot_maps[SPOT_LIGHTS] = int[](SPOT_MAPS);
 const int directional_maps[DIRECTIONAL_LIGHTS] = int[](DIRECTIONAL_MAPS);
 #endif
 #if POINT_LIGHTS > 0
-const int point_maps[POINT_LIGHTS] = int[](POINT_MAPS);  // of lamps whose casters fit one map: step 04
+const int point_maps[POINT_LIGHTS] = int[](POINT_MAPS);  // of point lights whose casters fit into one map: step 04
 #endif
 
-float factor_of_map(int map, bool sun, vec3 position, vec3 normal, vec3 to_light) {
+float factor_of_map(int map, bool directional, vec3 position, vec3 normal, vec3 to_light) {
 #if SHADOW_LIGHTS > 0
   if (map >= 0) {
     ShadowLight light = u_shadow_lights[map];
     light.layer = map;
-    light.sun = sun;
+    light.directional = directional;
 #ifdef PARALLEL
-    if (sun) {
+    if (directional) {
       mat4 m = light.world_to_map;
       light.world_to_map = mat4(vec4(m[0].xyz, 0.0), vec4(m[1].xyz, 0.0), vec4(m[2].xyz, 0.0), vec4(m[3].xyz, 1.0));
     }
@@ -57,11 +57,11 @@ float point_visibility_by_map(int light, vec3 position, vec3 normal, vec3 to_lig
 #endif
 }
 
-// ---- Intermediates: of the light that shadow.light chooses, whose map is SHOWN_MAP (-1: none)
+// ---- Intermediate results for the light that shadow.light chooses; SHOWN_MAP is its map (-1: none)
 
 #ifdef SHOWN_MAP
 uniform vec3 u_shown_position;   // of the light
-uniform vec3 u_shown_direction;  // towards it, where it is a sun; else zero
+uniform vec3 u_shown_direction;  // towards it, of a directional light; otherwise zero
 
 vec3 unit_or_zero(vec3 v) {
   float length_squared = dot(v, v);
@@ -70,9 +70,9 @@ vec3 unit_or_zero(vec3 v) {
 
 vec3 shown_shadow_factor(Surface surface) {
   vec3 position = surface.position_world, to_light = u_shown_direction;
-  bool sun = to_light != vec3(0.0);
-  if (!sun) to_light = unit_or_zero(u_shown_position - position);
-  return vec3(factor_of_map(SHOWN_MAP, sun, position, unit_or_zero(surface.normal_world), to_light));
+  bool directional = to_light != vec3(0.0);
+  if (!directional) to_light = unit_or_zero(u_shown_position - position);
+  return vec3(factor_of_map(SHOWN_MAP, directional, position, unit_or_zero(surface.normal_world), to_light));
 }
 
 vec3 shown_shadow_coordinate(Surface surface) {

@@ -38,8 +38,8 @@ struct MappedLight {
 /// The maps of a frame, for features beside this one to read.
 struct FrameMaps {
   std::vector<MappedLight> maps;  ///< layer by layer
-  /// What maps are looked up for in this frame, where that bounds what must be drawn of them: where they are drawn for
-  /// every frame, by filters whose reach is known. None where all of a map may matter.
+  /// The visible receivers of this frame, where they bound which part of a map must be drawn: where maps are drawn for
+  /// every frame, and the width of the filter is known. None where all of a map may matter.
   std::optional<Pieces> looked_up;
   int layer_of(int light) const;  ///< -1: it has no map
 };
@@ -73,7 +73,7 @@ class ShadowedSurface : public Feature {
   std::optional<shadow_mapping::LightFrustum> fit_to_spot(const Light& light, const glm::vec3& position,
                                                           const Extents& extents) const;
   shadow_mapping::Sphere covered(const Extents& extents) const;
-  std::optional<shadow_mapping::LightFrustum> fit_to_sun(const Light& light, const Extents& extents) const;
+  std::optional<shadow_mapping::LightFrustum> fit_to_directional(const Light& light, const Extents& extents) const;
   void make_room(Gl& gl);
   void draw_map(Gl& gl, int layer, ScenePainter& painter);
   glm::ivec4 texels_looked_up(const MappedLight& map) const;

@@ -1,14 +1,14 @@
-// What step 03's shaders know about lights that cast shadows. Given. World space, metres.
+// Types, uniforms and macros of step 03's shaders. Given. World space, metres.
 #include "02-blinn-phong/given/lights.glsl"
 
 struct ShadowLight {
   mat4 world_to_map;  // bias_matrix() * light_projection() * light_view()
-  vec3 eye;           // from where depth is measured
-  vec3 direction;     // of unit length: the way that the light looks
-  float half_width;   // a spot's: tangent of half its angle of view; a sun's: half the width of its box, metres
-  float near, far;    // along the direction
-  float width;        // of the light itself: a spot is a square of this side; a sun spans an angle with this tangent
-  bool sun;           // orthographic
+  vec3 eye;           // depth is measured from here
+  vec3 direction;     // of unit length: where the light looks; depth is measured along it
+  float half_width;   // spot: tangent of half the angle of view; directional: half the width of its box, metres
+  float near, far;    // depths of the two planes, metres
+  float width;        // of the light source. Spot: side of a square, metres; directional: tangent of its angle
+  bool directional;   // otherwise a spot light
   int layer;          // of u_shadow_maps
 };
 
@@ -23,22 +23,26 @@ uniform sampler2DArrayShadow u_shadow_maps;  // texture(u_shadow_maps, vec4(u, v
 uniform sampler2DArray u_shadow_maps;  // texture(u_shadow_maps, vec3(u, v, layer)).r is the stored depth
 #endif
 
-uniform float u_bias;        // texels
-uniform float u_depth_step;  // of a stored depth 0..1: how far rounding may part what is equal
+uniform float u_bias;           // the bias in texels, for one comparison with one texel
+uniform float u_depth_epsilon;  // depth-comparison epsilon: equal depths may differ by this much after rounding, 0..1
 
-// How wide the square of texels is that one answer rests upon, and how far from its middle a point may lie within one
-// texel's share: nearest comparisons stand for their own texel, bilinear ones reach into the next.
+// The program defines: PCF (comparisons along a side of the filter), BIAS (0 to 4), COMPARE (comparisons are bilinear),
+// PCSS and SAMPLES (soft shadows).
+//
+// COMPARISON_HALF_WIDTH: one comparison depends on a square of texels. This is half its side, in texels: a nearest
+// comparison depends on one texel, a bilinear one on texels up to one texel away.
+// FILTER_WIDTH: the side of the square of texels on which all PCF x PCF comparisons together depend, in texels.
 #ifdef COMPARE
-#define KERNEL float(PCF + 1)
-#define RESIDUAL 1.0
+#define FILTER_WIDTH float(PCF + 1)
+#define COMPARISON_HALF_WIDTH 1.0
 #else
-#define KERNEL float(PCF)
-#define RESIDUAL 0.5
+#define FILTER_WIDTH float(PCF)
+#define COMPARISON_HALF_WIDTH 0.5
 #endif
 
 #ifdef PCSS
-// SAMPLES points of the square from -1/2 to 1/2: the middles of a grid of cells, or random ones, others in each pixel
-// (PCG after Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020).
+// Sample i of SAMPLES, in the square from -1/2 to 1/2: the centre of a cell of a grid, or a random point, different in
+// each pixel (PCG after Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020).
 vec2 sample_point(int i) {
 #ifdef RANDOM
   uvec3 v = uvec3(uvec2(gl_FragCoord.xy), uint(i)) * 1664525u + 1013904223u;

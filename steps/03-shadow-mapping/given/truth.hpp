@@ -8,7 +8,7 @@ namespace atelier {
 /// The step's scenes with shadow rays instead of maps: hard shadows where "light.width" is 0, otherwise shadows of
 /// lights with that extent, integrated over 32 x 32 points of each. Settings of maps, biases and filters are passed
 /// over.
-/// - "shadow_factor" is the share of the light "shadow.light" that each point sees: 1 where the scene has no such
+/// - "shadow_factor" is the fraction of the light "shadow.light" that each point sees: 1 where the scene has no such
 ///   light, it casts no shadows, or nothing that does is within its reach.
 /// - "shadow_coordinate" and "shadow_map" show how far the light's map is from its own formulas, not from the truth
 ///   about shadows: the coordinate of each point, and the casters as the light sees them, "shadow.fit" (and culling of

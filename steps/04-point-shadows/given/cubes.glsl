@@ -1,18 +1,18 @@
-// What step 04's shaders know about lamps that have a cube. Given. World space, metres.
+// Types, uniforms and functions of step 04's shaders. Given. World space, metres.
 #include "03-shadow-mapping/given/shadows.glsl"
 
 struct CubeLight {
   vec3 position;
   float far;  // the distance that is stored as 1
-  int cube;   // which cube: the first argument of the functions below
+  int cube;   // the number of its cube: the first argument of the functions below
 };
 
-// All lamps that have a cube, at most 4.
+// All point lights that have a cube, at most 4.
 #if CUBES > 0
 uniform CubeLight u_cube_lights[CUBES];
 #endif
 
-// GLSL 3.30 lets no variable choose a sampler, and OpenGL 3.3 has no arrays of cubes: each has a name of its own.
+// In GLSL 3.30 no variable can choose a sampler, and OpenGL 3.3 has no arrays of cube maps: so each has its own name.
 #ifdef COMPARE
 #define CUBE_SAMPLER samplerCubeShadow
 #else
@@ -31,7 +31,7 @@ uniform CUBE_SAMPLER u_cube_2;
 uniform CUBE_SAMPLER u_cube_3;
 #endif
 
-// Texels along an edge.
+// Texels along an edge of a cube.
 float cube_resolution() {
 #if CUBES > 0
   return float(textureSize(u_cube_0, 0).x);
@@ -40,6 +40,8 @@ float cube_resolution() {
 #endif
 }
 
+// With COMPARE: compares the reference with the four nearest texels in this direction and interpolates the answers; 1
+// means that it is at most what is stored. Without: the stored value.
 #ifdef COMPARE
 float compared_with_cube(int cube, vec3 direction, float reference) {
 #define ANSWER(sampler) texture(sampler, vec4(direction, reference))

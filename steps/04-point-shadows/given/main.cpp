@@ -1,7 +1,7 @@
-// 04-point-shadows: the program. Lamps that shine all round, with your shadows.
+// 04-point-shadows: the program. Point lights, with your shadows.
 #include "01-transforms/given/functions.hpp"
 #include "02-blinn-phong/given/lit_surface.hpp"
-#include "04-point-shadows/given/lamp_cones.hpp"
+#include "04-point-shadows/given/light_cones.hpp"
 #include "04-point-shadows/given/point_shadowed_surface.hpp"
 #include "04-point-shadows/given/probes.hpp"
 #include "04-point-shadows/given/scenes.hpp"
@@ -18,14 +18,16 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .settings = {cube_settings(), point_scene_settings(), study_settings(), shadow_setting_specs(),
                    lit_surface_settings()},
       .outputs = {shadow_factor_output(),
-                  {"shadow_coordinate", Encoding::data, "the way from one lamp, as a share of its farthest distance"},
-                  {"shadow_map", Encoding::data, "one lamp's cube as it is stored: +x -x +y above, -y +z -z below"}},
+                  {"shadow_coordinate", Encoding::data,
+                   "the vector from one light to the point, as a fraction of the farthest distance"},
+                  {"shadow_map", Encoding::data,
+                   "the cube of one light as it is stored: +x -x +y above, -y +z -z below"}},
       .probes = point_shadow_probes(),
       .transforms = transform_functions(),
       .features =
           [](FeatureList& list) {
             const auto& lit = list.add<LitSurface>();
-            const auto& cones = list.add<LampCones>(lit.lights());
+            const auto& cones = list.add<LightCones>(lit.lights());
             const auto& maps = list.add<ShadowedSurface>(lit.lights(), cones.frusta());
             list.add<PointShadowedSurface>(lit.lights(), maps.maps());
           },

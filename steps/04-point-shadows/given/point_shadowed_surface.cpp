@@ -17,16 +17,17 @@ std::vector<SettingSpec> cube_settings() {
       {.name = "cube.passes",
        .fallback = std::string("one"),
        .choices = {"one", "six"},
-       .help = "how a cube is drawn: all faces at once by a geometry shader, or one after the other"},
+       .help = "how a cube is drawn: all faces in one pass by a geometry shader, or in six passes"},
       {.name = "cube.faces",
        .fallback = std::string("needed"),
        .choices = {"needed", "all"},
-       .help = "which faces are drawn: those that see a caster and, where cubes are drawn for every frame, something "
-               "that is seen in the picture; or all"},
+       .help = "which faces are drawn: those that see a caster and, with shadow.update = always, a visible receiver; "
+               "or all"},
       {.name = "cube.instead",
        .fallback = std::string("cone"),
        .choices = {"cone", "never"},
-       .help = "what serves a lamp whose casters fit a cone: one map of step 03, or never anything but a cube"},
+       .help = "what a light uses whose casters fit into a cone: one map of step 03 (cone), or a cube all the same "
+               "(never)"},
   };
 }
 
@@ -42,7 +43,7 @@ void PointShadowedSurface::moved(const Scene&) {
   found_ = false;
 }
 
-// ---- Which lamps have what
+// ---- Which lights have a cube
 
 namespace {
 
@@ -58,9 +59,9 @@ double farthest_corner(const ScenePainter::Item& item, const glm::dvec3& from) {
 /// Whether anything in the picture is looked up in a face.
 bool PointShadowedSurface::is_looked_up(const glm::mat4& face) const {
   if (every_face_ || !maps_.looked_up) return true;
-  // Where a grid of texels that is square to the direction lies across an edge, a step along it is up to sqrt(2) texels
-  // of the face wide, and one along its diagonal 2. A normal moves a point by up to sqrt(2) texels aside. Both hold
-  // while the steps are short against the distance.
+  // Where a grid of texels that is perpendicular to the direction lies across an edge, a step along it is up to sqrt(2)
+  // texels of the face wide, and one along its diagonal 2. A normal moves a point by up to sqrt(2) texels aside. Both
+  // hold while the steps are short against the distance.
   const float texel = 2 / float(edge_), steps = 0.71f * float(settings_.pcf - 1) + texels_moved(settings_);
   if (steps * texel > 0.5f) return true;
   return looks_into(*maps_.looked_up, face, texel * (float(settings_.pcf + 1) + 1.42f * texels_moved(settings_)));

@@ -1,7 +1,7 @@
 // Hands a surface point to the student's functions. Given.
 #include "04-point-shadows/point_shadows.glsl"
 
-// Which of u_cube_lights a point light is, -1: it has no cube.
+// The index of each point light in u_cube_lights; -1: it has no cube.
 #if POINT_LIGHTS > 0
 const int point_cubes[POINT_LIGHTS] = int[](POINT_CUBES);
 #endif
@@ -21,7 +21,7 @@ float point_visibility_by_cube(int light, vec3 position, vec3 normal, vec3 to_li
 #endif
 }
 
-// ---- Intermediates: of the light that shadow.light chooses, whose cube is SHOWN_CUBE
+// ---- Intermediate results for the light that shadow.light chooses; SHOWN_CUBE is its cube
 
 #ifdef SHOWN_CUBE
 vec3 shown_cube_factor(Surface surface) {
@@ -30,7 +30,7 @@ vec3 shown_cube_factor(Surface surface) {
                              unit_or_zero(u_shown_position - position)));
 }
 
-// The way from the lamp, as a share of `far`.
+// The vector from the light to the point, as a fraction of `far`.
 vec3 shown_cube_coordinate(Surface surface) {
 #if CUBES > 0
   return (surface.position_world - u_cube_lights[SHOWN_CUBE].position) / u_cube_lights[SHOWN_CUBE].far;

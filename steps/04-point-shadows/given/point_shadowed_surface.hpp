@@ -1,5 +1,5 @@
-// Cubes of shadow maps, as a feature of the renderer, beside step 03's maps: which lamps get one, and when it is drawn.
-// Given.
+// Cubes of shadow maps, as a feature of the renderer, beside step 03's maps: which lights get one, and when it is
+// drawn. Given.
 #pragma once
 
 #include "03-shadow-mapping/given/shadowed_surface.hpp"
@@ -30,7 +30,7 @@ class PointShadowedSurface : public Feature {
 
  private:
   static constexpr int most_cubes = 4;  ///< as cubes.glsl has it
-  /// A lamp with a cube.
+  /// A point light with a cube.
   struct Cubed {
     int light = 0;             ///< index into Scene::lights
     glm::vec3 position{0};     ///< in the space that shaders call world

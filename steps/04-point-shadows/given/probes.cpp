@@ -250,8 +250,10 @@ std::map<std::string, Probe> point_shadow_probes() {
       {"cone_around", probe_cone_around},
       {"stored_distance", shader_probe(pass, "vec4(stored_distance(position, light_position, far))", 1)},
       {"cube_texel", shader_probe(glsl(0, 1, false), "vec4(cube_texel(from_light, resolution))", 1)},
-      {"cube_lit", cube_probe(glsl(0, 1, false), false, "vec4(cube_lit(0, from_light, reference))")},
-      {"cube_lit_bilinear", cube_probe(glsl(0, 1, true), true, "vec4(cube_lit(0, from_light, reference))")},
+      {"compare_cube_distance",
+       cube_probe(glsl(0, 1, false), false, "vec4(compare_cube_distance(0, from_light, reference))")},
+      {"compare_cube_distance_bilinear",
+       cube_probe(glsl(0, 1, true), true, "vec4(compare_cube_distance(0, from_light, reference))")},
   };
   const std::string filtered = "vec4(cube_pcf(" + light_of_arguments + ", from_light, reference))",
                     factor = "vec4(point_shadow_factor(" + light_of_arguments + ", position, normal, to_light))";

@@ -151,7 +151,7 @@ std::vector<SettingSpec> point_scene_settings() {
        .fallback = 0.0,
        .low = -360,
        .high = 360,
-       .help = "of the scene 'lantern': degrees by which the camera stands turned about the vertical axis"},
+       .help = "of the scene 'lantern': degrees by which the camera is rotated about the vertical axis"},
       scale_setting(),
       casters_setting(),
   };

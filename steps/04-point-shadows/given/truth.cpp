@@ -12,14 +12,14 @@ namespace atelier {
 
 namespace {
 
-/// The lamp that the outputs are about, where it shines all round.
+/// The point light that the outputs are about.
 const Light* shown_lamp(const Scene& scene, const Settings& settings) {
   const auto index = std::size_t(settings.integer("shadow.light"));
   if (index >= scene.lights.size() || scene.lights[index].type != LightType::point) return nullptr;
   return &scene.lights[index];
 }
 
-/// The distance that a lamp's cube stores as 1: 1.001 times that of the farthest corner of a caster's box. 0 where
+/// The distance that a light's cube stores as 1: 1.001 times that of the farthest corner of a caster's box. 0 where
 /// nothing casts.
 double farthest_distance(const Scene& scene, const glm::dvec3& lamp) {
   double farthest = 0;
@@ -37,10 +37,12 @@ oracle::SurfaceColour numbers_for(const TruthRequest& request, const Settings& s
       return glm::dvec3(oracle::visibility(world, point, lamp, shading));
     };
   if (request.output == "shadow_map")
-    throw Error("output 'shadow_map' of a lamp has no ground truth: six pictures in one are no picture of a camera");
+    throw Error(
+        "output 'shadow_map' of a point light has no ground truth: six pictures in one are no picture of a camera");
   if (settings.choice("cube.instead") != "never")
     throw Error(
-        "output 'shadow_coordinate' of a lamp has no ground truth under cube.instead=cone: whether one map serves is "
+        "output 'shadow_coordinate' of a point light has no ground truth under cube.instead=cone: whether one map "
+        "serves is "
         "for your cone_around to say; cube.instead=never has one");
   const double far = farthest_distance(truth.scene, lamp.position);
   return [far, lamp](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3&) {

@@ -1,4 +1,4 @@
-// Rooms for lamps. Given.
+// Rooms for point lights. Given.
 #pragma once
 
 #include "scene/scene.hpp"

@@ -92,7 +92,7 @@ void add_coordinate_rows(Table& table, ShaderFunctions& shaders) {
   Group width = table.of("map_width (GLSL)");
   const auto map_width = [&shaders](float half, float depth, bool sun) {
     const ShaderFunction function =
-        shadow_function({"in_light", "sun", "depth"}, fmt::format("vec4(map_width({}, depth.x))", plain_light));
+        shadow_function({"in_light", "directional", "depth"}, fmt::format("vec4(map_width({}, depth.x))", plain_light));
     return Values{
         double(shaders.evaluate(function, {glm::vec4(half, 1, 2, 0), glm::vec4(sun ? 1 : 0), glm::vec4(depth)}).x)};
   };

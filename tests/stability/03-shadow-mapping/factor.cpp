@@ -29,7 +29,7 @@ class Factor {
         "vec4(shadow_factor(ShadowLight(mat4(m0, m1, m2, m3), vec3(0.0, 4.0, 0.0), vec3(0.0, -1.0, 0.0), 0.5463, 0.5, "
         "8.0, 0.5, false, 0), p.xyz, n.xyz, l.xyz))",
         variant));
-    function_.uniforms = {{"u_bias", {1}}, {"u_depth_step", {1e-6}}};
+    function_.uniforms = {{"u_bias", {1}}, {"u_depth_epsilon", {1e-6}}};
   }
   /// Of neighbouring pixels, so that derivatives are between them.
   Values operator()(const std::vector<Place>& places) const {

@@ -1,4 +1,5 @@
-// fit_spot and fit_sun: lights within, upon and far away from what they are fitted to; spheres of no size and of all.
+// fit_spot and fit_directional: lights within, upon and far away from what they are fitted to; spheres of no size and
+// of all.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -102,7 +103,7 @@ void add_spot_size_rows(Group& group) {
 
 void add_sun_rows(Group& group) {
   const auto sun = [](const glm::vec3& direction, const Sphere& sphere) {
-    const LightFrustum f = fit_sun(direction, sphere);
+    const LightFrustum f = fit_directional(direction, sphere);
     return Values{f.eye.x, f.eye.y, f.eye.z, f.extent, f.near, f.far, double(f.orthographic)};
   };
   group.equals("a sphere without size",
@@ -134,7 +135,7 @@ void add_fit_rows(Table& table) {
   Group spot = table.of("fit_spot");
   add_spot_rows(spot);
   add_spot_size_rows(spot);
-  Group sun = table.of("fit_sun");
+  Group sun = table.of("fit_directional");
   add_sun_rows(sun);
 }
 

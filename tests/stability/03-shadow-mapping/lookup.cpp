@@ -1,4 +1,4 @@
-// lit and pcf: maps of one texel, points beside the map and beyond its far plane, depths that are equal.
+// compare_depth and pcf: maps of one texel, points beside the map and beyond its far plane, depths that are equal.
 #include <fmt/format.h>
 
 #include "stability/03-shadow-mapping/rows.hpp"
@@ -24,12 +24,12 @@ class Lookup {
   ShaderFunction function_;
 };
 
-void add_lit_rows(Table& table, ShaderFunctions& shaders) {
-  Group group = table.of("lit (GLSL)");
+void add_comparison_rows(Table& table, ShaderFunctions& shaders) {
+  Group group = table.of("compare_depth (GLSL)");
   for (const bool compare : {false, true}) {
     const char* how = compare ? "compared by the sampler" : "compared by the shader";
     const Variant variant{.compare = compare};
-    const Lookup one(shaders, {0.5f}, variant, "lit(at.xyz, 0)");
+    const Lookup one(shaders, {0.5f}, variant, "compare_depth(at.xyz, 0)");
     const auto words = [how](const char* extreme) { return fmt::format("{}: {}", how, extreme); };
     group.equals(words("a map of one texel, before and behind what it holds"),
                  [=] {
@@ -44,7 +44,7 @@ void add_lit_rows(Table& table, ShaderFunctions& shaders) {
                  {1, 1});
     group.equals(words("behind the light: z = 2"), [=] { return one({0, 0, 2}); }, {1});
     group.equals(words("before the near plane"), [=] { return one({0.5f, 0.5f, -1e6f}); }, {1});
-    const Lookup empty(shaders, {1, 1, 1, 1}, variant, "lit(at.xyz, 0)");
+    const Lookup empty(shaders, {1, 1, 1, 1}, variant, "compare_depth(at.xyz, 0)");
     group.equals(words("nothing in the map, a point beyond the far plane"),
                  [=] {
                    return empty({0.3f, 0.7f, 1});
@@ -52,7 +52,7 @@ void add_lit_rows(Table& table, ShaderFunctions& shaders) {
                  {1});
     group.finite(words("a coordinate 1e30 maps away"), [=] { return one({1e30f, -1e30f, 0.5f}); });
   }
-  const Lookup halves(shaders, {0.25f, 0.75f, 0.25f, 0.75f}, {.compare = true}, "lit(at.xyz, 0)");
+  const Lookup halves(shaders, {0.25f, 0.75f, 0.25f, 0.75f}, {.compare = true}, "compare_depth(at.xyz, 0)");
   group.close("mixed halfway between a lit and a dark texel",
               {1.0 / 256, "absolute", "drivers mix texels by weights of at least 8 bits"}, [=] {
                 return std::abs(halves({0.5f, 0.5f, 0.5f})[0] - 0.5);
@@ -90,7 +90,7 @@ void add_pcf_rows(Table& table, ShaderFunctions& shaders) {
 }  // namespace
 
 void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
-  add_lit_rows(table, shaders);
+  add_comparison_rows(table, shaders);
   add_pcf_rows(table, shaders);
 }
 

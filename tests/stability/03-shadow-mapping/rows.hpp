@@ -43,10 +43,11 @@ struct Variant {
 ShaderFunction shadow_function(std::vector<std::string> parameters, std::string expression,
                                const Variant& variant = {});
 
-/// GLSL for a light at the origin that looks down, of which only what `in` (half-width, near, far, width) and `sun` (1
-/// or 0) say matters.
+/// GLSL for a light at the origin that looks down, of which only what `in` (half-width, near, far, width) and
+/// `directional` (1 or 0) say matters.
 inline constexpr const char* plain_light =
-    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), in_light.x, in_light.y, in_light.z, in_light.w, sun.x > "
+    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), in_light.x, in_light.y, in_light.z, in_light.w, "
+    "directional.x > "
     "0.5, 0)";
 
 /// A depth map of one layer, square, row by row from v = 0; read, or compared and mixed, as the contract has it.

@@ -15,7 +15,8 @@ class OfLight {
  public:
   OfLight(ShaderFunctions& shaders, const std::string& call) : shaders_(&shaders), call_(call) {}
   double operator()(const glm::vec4& light, bool sun, const glm::vec4& v) const {
-    const ShaderFunction function = shadow_function({"in_light", "sun", "v"}, "vec4(" + call_ + ")", {.samples = 4});
+    const ShaderFunction function =
+        shadow_function({"in_light", "directional", "v"}, "vec4(" + call_ + ")", {.samples = 4});
     return double(shaders_->evaluate(function, {light, glm::vec4(sun ? 1 : 0), v}).x);
   }
 
@@ -70,8 +71,8 @@ class SoftMap {
   SoftMap(ShaderFunctions& shaders, std::initializer_list<float> depths, bool random, const char* call)
       : shaders_(&shaders), map_(std::make_shared<DepthMap>(shaders.gl(), depths)) {
     function_ =
-        map_->read_by(shadow_function({"in_light", "sun", "at", "v"}, fmt::format(fmt::runtime(call), plain_light),
-                                      {.samples = 16, .random = random}));
+        map_->read_by(shadow_function({"in_light", "directional", "at", "v"},
+                                      fmt::format(fmt::runtime(call), plain_light), {.samples = 16, .random = random}));
   }
   double operator()(const glm::vec4& light, bool sun, const glm::vec3& at, const glm::vec4& v) const {
     return double(shaders_->evaluate(function_, {light, glm::vec4(sun ? 1 : 0), glm::vec4(at, 0), v}).x);

@@ -29,7 +29,7 @@ std::vector<double> factors(ShaderFunctions& shaders, int bias, const Lamp& lamp
       {"position", "normal", "to_light", "lamp"},
       "vec4(point_shadow_factor(CubeLight(lamp.xyz, lamp.w, 0), position.xyz, normal.xyz, to_light.xyz))",
       {.bias = bias, .pcf = 3});
-  function.uniforms = {{"u_bias", {1}}, {"u_depth_step", {1e-6}}};
+  function.uniforms = {{"u_bias", {1}}, {"u_depth_epsilon", {1e-6}}};
   function.cubes = {{"u_cube_0", cube.texture()}};
   std::vector<ShaderInput> inputs;
   for (const Point& p : points)

@@ -1,5 +1,5 @@
-// cube_texel, cube_lit, cube_pcf: no direction, directions along axes, on and beside edges and corners, of every
-// length.
+// cube_texel, compare_cube_distance, cube_pcf: no direction, directions along axes, on and beside edges and corners, of
+// every length.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ std::vector<glm::vec4> asked(ShaderFunctions& shaders, const Lookup& lookup, con
   return shaders.evaluate(function, inputs);
 }
 
-constexpr const char* one_comparison = "vec4(cube_lit(0, direction.xyz, reference.x))";
+constexpr const char* one_comparison = "vec4(compare_cube_distance(0, direction.xyz, reference.x))";
 constexpr const char* many_comparisons = "vec4(cube_pcf(CubeLight(vec3(0.0), 1.0, 0), direction.xyz, reference.x))";
 
 void add_edge_rows(Group& group, ShaderFunctions& shaders, const char* expression, const Lookup& lookup) {
@@ -134,10 +134,10 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
 
 void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
   add_texel_rows(table, shaders);
-  Group lit = table.of("cube_lit (GLSL)"), pcf = table.of("cube_pcf (GLSL)");
+  Group comparison = table.of("compare_cube_distance (GLSL)"), pcf = table.of("cube_pcf (GLSL)");
   for (const bool compare : {false, true}) {
-    add_length_rows(lit, shaders, one_comparison, {.compare = compare});
-    add_edge_rows(lit, shaders, one_comparison, {.compare = compare});
+    add_length_rows(comparison, shaders, one_comparison, {.compare = compare});
+    add_edge_rows(comparison, shaders, one_comparison, {.compare = compare});
     for (const int size : {1, 4, 15}) {
       if (size == 4) add_length_rows(pcf, shaders, many_comparisons, {.pcf = size, .compare = compare});
       if (size > 1) add_edge_rows(pcf, shaders, many_comparisons, {.pcf = size, .compare = compare});
@@ -145,26 +145,27 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
   }
   pcf.equals("along each axis: the square of directions spreads to all four sides",
              [&shaders] { return Values{count_spread_otherwise(shaders)}; }, {0});
-  lit.equals("a reference just as stored, and a float above and below it",
-             [&shaders] {
-               Values out;
-               for (const float reference : {0.5f, std::nextafter(0.5f, 0.0f), std::nextafter(0.5f, 1.0f)})
-                 out.push_back(asked(shaders, {}, one_comparison, {{1, 0, 0}}, reference, all_half)[0].x);
-               return out;
-             },
-             {1, 1, 0});
-  lit.equals("nothing drawn, the farthest reference: lit, at 16 and 24 bits and in floats",
-             [&shaders] {
-               Values out;
-               for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) {
-                 const FilledCube cube(shaders.gl(), 1, format, false, {1, 1, 1, 1, 1, 1});
-                 ShaderFunction function = lookup_function({"direction"}, "vec4(cube_lit(0, direction.xyz, 1.0))");
-                 function.cubes = {{"u_cube_0", cube.texture()}};
-                 out.push_back(shaders.evaluate(function, {glm::vec4(1, 2, 3, 0)}).x);
-               }
-               return out;
-             },
-             {1, 1, 1});
+  comparison.equals("a reference just as stored, and a float above and below it",
+                    [&shaders] {
+                      Values out;
+                      for (const float reference : {0.5f, std::nextafter(0.5f, 0.0f), std::nextafter(0.5f, 1.0f)})
+                        out.push_back(asked(shaders, {}, one_comparison, {{1, 0, 0}}, reference, all_half)[0].x);
+                      return out;
+                    },
+                    {1, 1, 0});
+  comparison.equals("nothing drawn, the farthest reference: lit, at 16 and 24 bits and in floats",
+                    [&shaders] {
+                      Values out;
+                      for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) {
+                        const FilledCube cube(shaders.gl(), 1, format, false, {1, 1, 1, 1, 1, 1});
+                        ShaderFunction function =
+                            lookup_function({"direction"}, "vec4(compare_cube_distance(0, direction.xyz, 1.0))");
+                        function.cubes = {{"u_cube_0", cube.texture()}};
+                        out.push_back(shaders.evaluate(function, {glm::vec4(1, 2, 3, 0)}).x);
+                      }
+                      return out;
+                    },
+                    {1, 1, 1});
   Group stored = table.of("a cube of 16 bits");
   stored.close(
       "distances up to 1e6 m: what is read back",

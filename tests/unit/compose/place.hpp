@@ -6,7 +6,7 @@
 #include "02-blinn-phong/given/scenes.hpp"
 #include "03-shadow-mapping/given/scenes.hpp"
 #include "03-shadow-mapping/given/shadowed_surface.hpp"
-#include "04-point-shadows/given/lamp_cones.hpp"
+#include "04-point-shadows/given/light_cones.hpp"
 #include "04-point-shadows/given/point_shadowed_surface.hpp"
 #include "04-point-shadows/given/scenes.hpp"
 #include "04-point-shadows/given/studies.hpp"
@@ -39,7 +39,7 @@ inline FeatureList features_of(int step) {
   const auto& lit = list.add<LitSurface>();
   if (step == 3) list.add<ShadowedSurface>(lit.lights(), none);
   if (step == 4) {
-    const auto& cones = list.add<LampCones>(lit.lights());
+    const auto& cones = list.add<LightCones>(lit.lights());
     const auto& maps = list.add<ShadowedSurface>(lit.lights(), cones.frusta());
     list.add<PointShadowedSurface>(lit.lights(), maps.maps());
   }

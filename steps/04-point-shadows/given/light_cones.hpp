@@ -1,4 +1,4 @@
-// Lamps whose casters fit a cone: one map of step 03 serves them in place of a cube. Given.
+// Point lights whose casters fit into a cone: they use one map of step 03 instead of a cube. Given.
 #pragma once
 
 #include "03-shadow-mapping/given/shadowed_surface.hpp"
@@ -6,9 +6,9 @@
 namespace atelier {
 
 /// Finds the cones. Stands before ShadowedSurface among a renderer's features, which draws their maps.
-class LampCones : public Feature {
+class LightCones : public Feature {
  public:
-  explicit LampCones(const DrawnLights& lights) : lights_(lights) {}  ///< which must outlive this
+  explicit LightCones(const DrawnLights& lights) : lights_(lights) {}  ///< which must outlive this
 
   void configure(const Settings& settings) override;
   void prepare(Gl&, const Scene& scene) override { moved(scene); }

@@ -1,4 +1,4 @@
-#include "04-point-shadows/given/lamp_cones.hpp"
+#include "04-point-shadows/given/light_cones.hpp"
 
 #include <algorithm>
 
@@ -38,21 +38,21 @@ std::optional<shadow_mapping::LightFrustum> frustum_around(const glm::vec3& posi
 
 }  // namespace
 
-void LampCones::configure(const Settings& settings) {
+void LightCones::configure(const Settings& settings) {
   wanted_ = settings.choice("cube.instead") == "cone";
   keep_ = shadow_settings(settings).keep;
 }
 
-void LampCones::draw_before(Gl&, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
+void LightCones::draw_before(Gl&, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
   if (!shows_shadows(viewpoint.view) || (found_ && keep_ && !viewpoint.view.camera_relative)) return;
   frusta_.clear();
   found_ = true;
   if (!wanted_) return;
   const std::vector<shadow_mapping::Sphere> spheres = caster_spheres(scene, painter.items());
   for (const int light : lights_.points) {
-    const Light& lamp = lights_.light(light);
-    if (!lamp.casts_shadow || spheres.empty()) continue;
-    if (const auto frustum = frustum_around(glm::vec3(lamp.position - viewpoint.origin), spheres))
+    const Light& source = lights_.light(light);
+    if (!source.casts_shadow || spheres.empty()) continue;
+    if (const auto frustum = frustum_around(glm::vec3(source.position - viewpoint.origin), spheres))
       frusta_.emplace(light, *frustum);
   }
 }
