@@ -1,6 +1,8 @@
 #include "cli/student/function_text.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 #include <vector>
 
 namespace atelier {
@@ -8,8 +10,8 @@ namespace {
 
 constexpr std::size_t nowhere = std::string_view::npos;
 
-/// The text with everything blank that is no code: comments, strings, characters. Lines and places stay.
-std::string code_only(std::string_view text) {
+/// The text with its comments blank, and with `strings` its strings and characters, too. Lines and places stay.
+std::string blanked(std::string_view text, bool strings) {
   std::string code(text);
   const auto blank = [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < std::min(end, code.size()); ++i)
@@ -26,11 +28,16 @@ std::string code_only(std::string_view text) {
       blank(i, end);
     } else if (text[i] == '"' || text[i] == '\'') {
       while (end < text.size() && text[end] != text[i] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
-      blank(i, ++end);
+      ++end;
+      if (strings) blank(i, end);
     }
     i = end;
   }
   return code;
+}
+
+std::string code_only(std::string_view text) {
+  return blanked(text, true);
 }
 
 bool in_identifier(char c) {
@@ -106,6 +113,14 @@ std::optional<FunctionText> find_function(std::string_view text, std::string_vie
                         .text = std::string(text.substr(begin, line_end - begin)) + "\n"};
   }
   return std::nullopt;
+}
+
+bool same_code(std::string_view a, std::string_view b) {
+  const auto words = [](std::string_view text) {
+    std::istringstream stream(blanked(text, false));
+    return std::vector<std::string>(std::istream_iterator<std::string>(stream), {});
+  };
+  return words(a) == words(b);
 }
 
 std::optional<FunctionText> find_contract(std::string_view text, std::string_view name) {

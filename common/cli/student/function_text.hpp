@@ -16,6 +16,9 @@ struct FunctionText {
 /// strings and characters are passed over. Nothing where there is none, or where a bracket is not closed.
 std::optional<FunctionText> find_function(std::string_view text, std::string_view name);
 
+/// Whether two texts differ in comments and white space alone.
+bool same_code(std::string_view a, std::string_view b);
+
 /// The contract of `name`: the comment lines (//) directly above its first declaration or definition, and its head up
 /// to the ';' or the '{', which is left out. Nothing where there is no such function, or no comment above it.
 std::optional<FunctionText> find_contract(std::string_view text, std::string_view name);

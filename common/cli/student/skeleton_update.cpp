@@ -11,6 +11,7 @@
 #include "base/process.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/skeleton_record.hpp"
+#include "cli/student/function_text.hpp"
 #include "cli/student/renames.hpp"
 
 namespace atelier {
@@ -35,16 +36,20 @@ std::optional<std::string> read_where_there(const fs::path& path) {
   return read_file(path);
 }
 
-/// `mine` with what has changed from `given` to `skeleton`. Nothing where git is missing or both changed the same.
+/// `mine` with what has changed from `given` to `skeleton`. Where both have changed the same lines, and the code of the
+/// skeleton is as it was, mine counts: only its comments were written anew. Nothing where git is missing, and where
+/// there is another conflict.
 std::optional<std::string> merged(const std::string& mine, const std::string& given, const std::string& skeleton) {
   const TemporaryFolder folder("atelier-merge");
   write_file(folder.path() / "mine", mine);
   write_file(folder.path() / "given", given);
   write_file(folder.path() / "skeleton", skeleton);
   try {
-    const Finished git = run_process({.arguments = {"git", "merge-file", "--quiet", "mine", "given", "skeleton"},
-                                      .folder = folder.path(),
-                                      .time_limit = std::chrono::seconds(10)});
+    std::vector<std::string> command = {"git", "merge-file", "--quiet"};
+    if (same_code(given, skeleton)) command.push_back("--ours");
+    command.insert(command.end(), {"mine", "given", "skeleton"});
+    const Finished git =
+        run_process({.arguments = command, .folder = folder.path(), .time_limit = std::chrono::seconds(10)});
     if (!git.ok()) return std::nullopt;
   } catch (const Error&) {
     return std::nullopt;  // no git on this machine

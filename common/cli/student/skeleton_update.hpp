@@ -11,8 +11,9 @@
 //   as it was given                 the new skeleton takes its place
 //   edited, the skeleton as before  it stays
 //   edited, a new skeleton          the changes of both are merged by git, and FILE.before-merge keeps the student's;
-//                                   without git, where both have changed the same lines, or where it is not known what
-//                                   was given: the student's stays, and the new skeleton lies beside as FILE.new
+//                                   without git, where both have changed the same lines and not the comments alone,
+//                                   or where it is not known what was given: the student's stays, and the new skeleton
+//                                   lies beside as FILE.new
 // Names that a release has changed (renames.hpp) are changed in the student's file first; FILE.before-merge keeps it as
 // it was. .given/renames.txt says which of them the files have been through.
 #pragma once

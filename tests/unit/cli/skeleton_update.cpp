@@ -55,11 +55,11 @@ bool has_git() {
   }
 }
 
-const std::string first = "// a\n\nint move();\n\n// b\n\n// c\n";
-const std::string second = "// a, better\n\nint move();\n\n// b\n\n// c\n";
-const std::string edited = "// a\n\nint move();\n\n// b\n\n// c: my own\n";
-const std::string both = "// a, better\n\nint move();\n\n// b\n\n// c: my own\n";
-const std::string edited_there = "// a: my own\n\nint move();\n\n// b\n\n// c\n";
+const std::string first = "int a;\n\nint move();\n\n// b\n\n// c\n";
+const std::string second = "int a = 1;\n\nint move();\n\n// b\n\n// c\n";
+const std::string edited = "int a;\n\nint move();\n\n// b\n\n// c: my own\n";
+const std::string both = "int a = 1;\n\nint move();\n\n// b\n\n// c: my own\n";
+const std::string edited_there = "int a = 2;\n\nint move();\n\n// b\n\n// c\n";
 
 }  // namespace
 
@@ -146,7 +146,7 @@ TEST_CASE("where both have changed the same lines the new skeleton lies beside")
   CHECK(project.beside(".before-merge") == "(none)");
   CHECK(project.update().empty());
 
-  const std::string third = "// a, another way\n\nint move();\n\n// b\n\n// c\n";
+  const std::string third = "int a = 3;\n\nint move();\n\n// b\n\n// c\n";
   project.release(third);
   CHECK(mentions(project.update().at(0), {"move.cpp.new-2"}));
   CHECK(read_file(project.mine()) == edited_there);
@@ -216,5 +216,25 @@ TEST_CASE("names that a release changes are changed in the student's file, once"
     project.edit("int move() {\n  return helper;  // mine again\n}\n\nint stay();\n");
     CHECK(project.update().empty());  // the files have been through it: a name of the student's own stays
     CHECK(read_file(project.mine()).find("helper") != std::string::npos);
+  }
+}
+
+TEST_CASE("where a release has written only comments anew, the student's lines stay") {
+  if (!has_git()) SKIP_TEST("there is no git");
+  const Unpacked project;
+  project.release("// a\nint move() {\n  // TODO: move\n  return 0;\n}\n");
+  project.update();
+  project.edit("// a\nint move() {\n  return 1;\n}\n");
+  SECTION("the same code") {
+    project.release("// a, better\n// still\nint move() {\n  // TODO: move it\n  return 0;\n}\n");
+    project.update();
+    CHECK(read_file(project.mine()) == "// a, better\n// still\nint move() {\n  return 1;\n}\n");
+  }
+  SECTION("other code") {
+    const std::string code = "// a\nint move() {\n  // TODO: move it\n  return 7;\n}\n";
+    project.release(code);
+    project.update();
+    CHECK(read_file(project.mine()) == "// a\nint move() {\n  return 1;\n}\n");
+    CHECK(project.beside(".new") == code);
   }
 }
