@@ -2,11 +2,12 @@
 // function is the comment above it. GEOMETRY is defined for the geometry shader, FRAGMENT for the fragment shader.
 
 #ifdef GEOMETRY
-// Draws one triangle into every face whose u_face_wanted[face] is above 0.5, each time as a triangle of its own.
-// Corners, in world space: v_corner_world[0] to [2]. Each vertex has three outputs: gl_Layer, the face, 0 to 5;
-// gl_Position, the corner in the clip space of the face (u_face_matrices[face] takes world space there);
-// g_position_world, the corner in world space, for the fragment shader. Inputs, outputs and uniforms are declared
-// already. Handout, section 3.
+// Draws one triangle into every face whose u_face_wanted[face] is above 0.5, each time as a separate triangle. Its
+// corners are v_corner_world[0] to v_corner_world[2], in world space. Each vertex has three outputs:
+// - gl_Layer: the face, 0 to 5;
+// - gl_Position: the corner in the clip space of this face; u_face_matrices[face] takes world space there;
+// - g_position_world: the corner in world space, for the fragment shader.
+// Inputs, outputs and uniforms are declared already. Handout, section 3.
 void draw_in_faces() {
   // >>> student: one triangle for each face that is wanted
   for (int face = 0; face < 6; ++face) {

@@ -5,9 +5,9 @@
 // Step 03's functions, the biases among them:
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
-// The width in metres of a texel of the cube at this point, for `resolution` texels along an edge. It is measured
-// parallel to the face that is looked up, in the plane through the point. A zero vector: 0. from_light = (3, -1, 2),
-// 512 texels: 0.01172 m. Derivation: handout, section 5.
+// The width of a texel of the cube at this point, in metres, for `resolution` texels along an edge. It is measured in
+// the plane through the point that is parallel to the face. A zero vector: 0. from_light = (3, -1, 2), 512 texels:
+// 0.01172 m. Handout, section 5.
 float cube_texel(vec3 from_light, float resolution) {
   // >>> student: the width of a face at this distance, divided by its texels
   vec3 along = abs(from_light);
@@ -17,11 +17,10 @@ float cube_texel(vec3 from_light, float resolution) {
   // <<< student
 }
 
-// 1 where the reference (a distance as a fraction of far) is at most what the cube holds in this direction, otherwise
-//   0; 1
-// for a zero vector. The length of from_light does not matter. stored_in_cube(cube, direction) returns the stored
-// value. With COMPARE (further), compared_with_cube(cube, direction, reference) compares four texels and interpolates
-// the answers. Handout, section 4.
+// 1 where the reference (a distance as a fraction of far) is at most what the cube stores in this direction, otherwise
+// 0. 1 for a zero vector. The length of from_light does not matter. stored_in_cube(cube, direction) returns the stored
+// value. With COMPARE (further), compared_with_cube(cube, direction, reference) returns the answers of four texels,
+// interpolated. Handout, section 4.
 float compare_cube_distance(int cube, vec3 from_light, float reference) {
   // >>> student: compare the reference with what is stored in this direction, with and without COMPARE
   if (dot(from_light, from_light) == 0.0) return 1.0;
@@ -35,11 +34,11 @@ float compare_cube_distance(int cube, vec3 from_light, float reference) {
   // <<< student
 }
 
-// The mean of PCF x PCF comparisons with one and the same reference, in a square grid of directions around from_light.
-// The steps of the grid are one texel (cube_texel) long, along the unit vectors u = normalize(cross(a, from_light)) and
-// v = cross(normalize(from_light), u); its centre is from_light. a is the axis x, y or z along which from_light has the
-// smallest absolute component, the first one if two are equal. 1 for a zero vector. Handout, section 6. You may call:
-// cube_texel, cube_resolution, compare_cube_distance.
+// The mean of PCF x PCF comparisons, all with this reference, in a square grid of directions around from_light. The
+// steps of the grid are one texel long (cube_texel), along the unit vectors u = normalize(cross(a, from_light)) and v =
+// cross(normalize(from_light), u); the centre of the grid is from_light. a is the axis (x, y or z) along which
+// from_light has the smallest absolute component, the first one if two are equal. 1 for a zero vector.
+// Handout, section 6. You may call: cube_texel, cube_resolution, compare_cube_distance.
 float cube_pcf(CubeLight light, vec3 from_light, float reference) {
   // >>> student: two directions perpendicular to from_light, and a grid of comparisons along them
   if (dot(from_light, from_light) == 0.0) return 1.0;
@@ -61,14 +60,13 @@ float cube_pcf(CubeLight light, vec3 from_light, float reference) {
   // <<< student
 }
 
-// The fraction of the light that reaches a point, 0 to 1. BIAS chooses how the point is moved, with step 03's
-// functions:
-// 0 not at all, 1 constant_bias, 2 slope_bias, 3 and 4 normal_offset. The amount is u_bias * FILTER_WIDTH texels,
-//   measured
-// where the point is before it is moved. The axis is to_light, because distances are stored: derivation in the handout,
-// section 5. Direction and distance are those of the moved point. The distance as a fraction of light.far is at most 1:
-// a point beyond far is compared as if it were at far. With BIAS other than 0 it is then lowered by u_depth_epsilon.
-// You may call: cube_texel, cube_resolution, cube_pcf, step 03's three biases.
+// The fraction of the light that reaches a point, 0 to 1. `normal` is of unit length or zero.
+// - BIAS chooses how the point is moved before it is looked up, with step 03's functions: 1 constant_bias, 2
+//   slope_bias, 3 and 4 normal_offset; with 0 it is not moved. The axis is to_light, because distances are stored and
+//   not depths. The amount is u_bias * FILTER_WIDTH texels, a texel as wide as it is at the point before it is moved.
+// - Direction and distance are those of the moved point. The distance, as a fraction of light.far, is at most 1: a
+//   point beyond far is compared as if it were at far. With BIAS other than 0 it is then lowered by u_depth_epsilon.
+// Handout, sections 4 to 6. You may call: cube_texel, cube_resolution, cube_pcf, step 03's three biases.
 float point_shadow_factor(CubeLight light, vec3 position, vec3 normal, vec3 to_light) {
   // >>> student: bias, then direction and distance of the moved point
   float amount = u_bias * FILTER_WIDTH * cube_texel(position - light.position, cube_resolution());

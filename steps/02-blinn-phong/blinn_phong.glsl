@@ -5,18 +5,18 @@
 
 // ---- Light that arrives
 
-// The factor by which distance weakens a light: 1 / (c.x + c.y d + c.z d^2), c being the coefficients and d the
-// distance in metres. A distance below 0.001 m counts as 0.001 m. Handout, section 5.
+// The factor by which distance weakens a light: 1 / (c.x + c.y d + c.z d^2). c are the coefficients, d is the distance
+// in metres; below 0.001 m it counts as 0.001 m. Handout, section 5.
 float attenuation(float distance, vec3 coefficients) {
   // TODO(02-blinn-phong): one over a polynomial of the distance, which is at least a millimetre
   return 1.0;
 }
 
-// The fraction of a spot light's light that goes this way: 1 inside the inner cone, 0 outside the outer cone. Between
-// the two it is 3t^2 - 2t^3, where t grows linearly with the cosine of the angle to the axis, from 0 at cos_outer to 1
-// at cos_inner. to_light and axis are of unit length; the light travels along the axis. Equal cosines: a hard edge, and
-// the edge itself is lit. Cosines of -1: every direction is lit, although a rounded cosine may lie below -1. Handout,
-// section 5.
+// The fraction of a spot light's light that goes in this direction: 1 inside the inner cone, 0 outside the outer cone.
+// Between the two it is 3t^2 - 2t^3, where t grows linearly with the cosine of the angle to the axis, from 0 at
+// cos_outer to 1 at cos_inner. to_light and axis are of unit length; the light travels along the axis. Equal cosines: a
+// hard edge, and the edge itself is lit. Cosines of -1: every direction is lit, although a rounded cosine may be below
+// -1. Handout, section 5.
 float spot_cone(vec3 to_light, vec3 axis, float cos_inner, float cos_outer) {
   // TODO(02-blinn-phong): use the cosine of the angle to the axis; smoothstep is undefined where its edges are equal
   return 1.0;
@@ -24,23 +24,24 @@ float spot_cone(vec3 to_light, vec3 axis, float cos_inner, float cos_outer) {
 
 // E of a point light at a position: its colour, weakened by the distance. Also sets to_light, the unit vector from the
 // position to the light. A light exactly at the position gives no light, and to_light is any unit vector.
-// You may call: attenuation.
+// Handout, section 5. You may call: attenuation.
 vec3 arriving_from_point(PointLight light, vec3 position, out vec3 to_light) {
   // TODO(02-blinn-phong): the unit vector to the light, and its colour weakened by the distance
   to_light = vec3(0.0, 1.0, 0.0);
   return vec3(0.0);
 }
 
-// The same for a spot light: a point light that shines only inside its cone. light.direction is the axis, light.cosines
-// holds (cos_inner, cos_outer). You may call: arriving_from_point, spot_cone.
+// The same for a spot light: a point light that shines only inside its cone. light.direction is the axis of the cone,
+// light.cosines holds (cos_inner, cos_outer).
+// Handout, section 5. You may call: arriving_from_point, spot_cone.
 vec3 arriving_from_spot(SpotLight light, vec3 position, out vec3 to_light) {
   // TODO(02-blinn-phong): a point light inside a cone
   to_light = vec3(0.0, 1.0, 0.0);
   return vec3(0.0);
 }
 
-// The same for a directional light, which is equally strong everywhere. light.direction is the way that its light
-// travels.
+// The same for a directional light, which is equally strong everywhere. Its light travels along light.direction.
+// Handout, section 5.
 vec3 arriving_from_direction(DirectionalLight light, vec3 position, out vec3 to_light) {
   // TODO(02-blinn-phong): the same everywhere
   to_light = vec3(0.0, 1.0, 0.0);
@@ -49,11 +50,12 @@ vec3 arriving_from_direction(DirectionalLight light, vec3 position, out vec3 to_
 
 // ---- Light that leaves
 
-// (further) N(n) of the model: the factor of a highlight with this exponent, 0 to 1e6. NORMALISATION chooses which one:
-//   0  none: 1. This is what the core tier needs.
+// (further) N(n) of the model: the factor of a highlight with this exponent, 0 to 1e6. NORMALISATION chooses it:
+//   0  none: 1. The core tier needs only this.
 //   1  the usual one: (n + 8) / 8.
-//   2  the exact one: light that arrives along the normal is reflected completely by a white highlight (kd = 0, ks =
-//      1). N(0) = 1, N(8) = 1.8605. Derivation: handout, section 4.
+//   2  the exact one: a white highlight (kd = 0, ks = 1) then reflects all the light that arrives along the normal.
+//      N(0) = 1, N(8) = 1.8605.
+// Handout, section 4.
 float specular_normalisation(float exponent) {
   // TODO(02-blinn-phong): 1, or the factor that keeps the energy, by NORMALISATION
   return 1.0;
@@ -63,18 +65,18 @@ float specular_normalisation(float exponent) {
 // as N.H = 0. POWER chooses how it is computed:
 //   0  in any way.
 //   1  (further) for exponents up to 1e6, with an error of at most 0.1 % of values above 0.05. In 32 bits the cosine of
-//      a small angle is too coarse for that: handout, section 8.
-//   2  (challenge) from u_power_table: one row, whose red texels are the entries of power_table, read with linear
-//      interpolation between the entries. At N.H = 1 this gives exactly the last entry. Handout, section 9.
+//      a small angle is not exact enough for that: handout, section 8.
+//   2  (challenge) from u_power_table: one row, whose red texels are the entries of power_table. Between the entries it
+//      is interpolated linearly; N.H = 1 gives exactly the last entry. Handout, section 9.
 float highlight(vec3 normal, vec3 half_vector, float exponent) {
   // TODO(02-blinn-phong): the cosine to the power of the exponent, by POWER; pow(0, 0) is undefined
   return 0.0;
 }
 
 // What the surface sends to the eye when light of E = 1 arrives: (kd + ks N(n) max(N.H, 0)^n) max(N.L, 0). The vectors
-// are of unit length. N.L <= 0 (also a zero normal) gives 0. Where to_light = -to_eye there is no H: no highlight. Put
-// the highlight between #ifdef SPECULAR and #endif, so that materials without one get a shader without it. Handout,
-// sections 1 and 2. You may call: specular_normalisation, highlight.
+// are of unit length. N.L <= 0, also from a zero normal, gives 0. Where to_light = -to_eye there is no H and no
+// highlight. Keep the highlight between #ifdef SPECULAR and #endif: then materials without one get a shader without it.
+// Handout, sections 1 and 2. You may call: specular_normalisation, highlight.
 vec3 reflected(vec3 normal, vec3 to_eye, vec3 to_light, Material m) {
   // TODO(02-blinn-phong): diffuse and specular part, times N.L; nothing from behind
   return vec3(0.0);
@@ -83,8 +85,8 @@ vec3 reflected(vec3 normal, vec3 to_eye, vec3 to_light, Material m) {
 // The light that leaves the surface towards the eye: the model's sum over all lights, without the emission, which is
 // added later. `normal` was interpolated, so its length is not 1. A zero normal, or an eye at the position, leaves only
 // the ambient part. The visibility s of light i is visible_from_point(i), visible_from_spot(i) or
-// visible_from_directional(i) (lights.glsl), i being its index in its array; it weakens that light only. Handout,
-// sections 1 and 3. You may call: the three arriving_from_ functions, reflected.
+// visible_from_directional(i) of lights.glsl, where i is its index in its array. It weakens only this light.
+// Handout, sections 1 and 3. You may call: the three arriving_from_ functions, reflected.
 vec3 shade(vec3 position, vec3 normal, vec3 eye, Material m) {
   vec3 sum = m.diffuse * u_ambient;
   // TODO(02-blinn-phong): make normal and to_eye unit vectors, then add what is visible of every light of every type

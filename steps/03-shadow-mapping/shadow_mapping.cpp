@@ -46,7 +46,7 @@ LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere) {
   return frustum;
 }
 
-// ---- Challenge: shadows that stand still
+// ---- Challenge: shadows that do not crawl
 
 LightFrustum snap_to_texels(const LightFrustum& frustum, int resolution) {
   LightFrustum snapped = frustum;

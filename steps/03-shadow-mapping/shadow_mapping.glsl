@@ -1,33 +1,30 @@
 // 03-shadow-mapping, the lookup: which fraction of a light reaches a point. The contract of a function is the comment
-// above it. World space, metres, unless something else is said. "In the map" means (u, v) from 0 to 1 across the map
-// and z from
-// 0 to 1 in depth. ShadowLight, u_shadow_maps and the other uniforms and macros are in this file:
+// above it. World space and metres, unless it says "in the map": there u and v go from 0 to 1 across the map, and z is
+// the depth, from 0 to 1. ShadowLight, u_shadow_maps and the other uniforms and macros are in this file:
 #include "03-shadow-mapping/given/shadows.glsl"
 
 // ---- One lookup
 
-// (u, v, z): where a point lies in the map. world_to_map takes world space to homogeneous coordinates whose x, y and z
-// are u, v and z after the division by w. A point with w <= 0 is not in front of the light and gets (0, 0, 2). z is at
-// most 1: a point beyond the far plane is compared as if it were on it. Before the near plane z is negative. Handout,
-// section 2.
+// Where a point is in the map: (u, v, z). world_to_map takes world space to homogeneous coordinates; divided by w they
+// are u, v and z. A point with w <= 0 is not in front of the light: (0, 0, 2). z is at most 1: a point beyond the far
+// plane is compared as if it were on it. A point in front of the near plane has z < 0. Handout, section 2.
 vec3 shadow_coordinate(mat4 world_to_map, vec3 position) {
   // TODO(03-shadow-mapping): from homogeneous coordinates to (u, v, z)
   return vec3(0.0, 0.0, 2.0);
 }
 
 // The width of the square that the map covers at this depth, in metres. `depth` is measured along light.direction from
-// light.eye, in metres. A spot light with half_width 0.5: 3 m at a depth of 3 m. A directional light with half_width 4:
-// 8 m at every depth. Handout, section 4 (the width of the map is that of all its texels).
+// light.eye. A spot light with half_width 0.5: 3 m at a depth of 3 m. A directional light with half_width 4: 8 m at
+// every depth. Handout, section 4.
 float map_width(ShadowLight light, float depth) {
   // TODO(03-shadow-mapping): a spot light sees a pyramid, a directional light a box
   return 1.0;
 }
 
-// 1 where the coordinate's depth z is at most the depth that is stored at (u, v) in this layer, otherwise 0. 1 where z
-//   > 1.
-// Outside of the map the texture itself answers with its border, depth 1. With COMPARE (bilinear), u_shadow_maps
-// compares: it takes (u, v, layer, z) and returns the four nearest texels' answers, interpolated. Handout, sections 1
-// and 7.
+// 1 where z of the coordinate is at most the depth that is stored at (u, v) in this layer, otherwise 0. 1 where z is
+// above 1. Outside of the map the texture itself returns its border, which is 1. With COMPARE the sampler u_shadow_maps
+// compares: it takes (u, v, layer, z) and returns the answers of the four nearest texels, interpolated. Handout,
+// sections 1 and 7.
 float compare_depth(vec3 coordinate, int layer) {
   // TODO(03-shadow-mapping): compare z with the depth that is stored at (u, v), with and without COMPARE
   return 1.0;
@@ -45,27 +42,26 @@ vec3 constant_bias(vec3 position, vec3 to_light, float amount) {
   return position;
 }
 
-// The position, moved towards the light as far as is needed to make up for the slope of the surface. A step of `amount`
-// metres perpendicular to `axis`, in the steepest direction, ends at a certain distance behind the surface's plane. The
-// moved point lies at this distance in front of the plane. The cosine between normal and to_light counts as at least
-// 0.01. Directional light (axis = to_light) at 60 degrees to the normal, amount 0.01 m: moved by 0.0173 m.
+// The position, moved along to_light until it is far enough in front of its plane. How far: a step of `amount` metres
+// perpendicular to `axis`, in the steepest direction, ends at a certain distance behind the plane of the surface. The
+// moved point is at the same distance in front of the plane. The cosine of the angle between normal and to_light counts
+// as at least 0.01. Directional light (axis = to_light) at 60 degrees to the normal, amount 0.01 m: moved by 0.0173 m.
 vec3 slope_bias(vec3 position, vec3 normal, vec3 to_light, vec3 axis, float amount) {
   // TODO(03-shadow-mapping): towards the light; farther, the more the surface is tilted
   return position;
 }
 
-// The position, moved by the same distance from the plane, but along the normal. The sign of the angle between normal
-// and axis does not matter. The same light, amount 0.01 m: moved by 0.0087 m, however the light falls never by more
-// than 0.01 m.
+// The position, moved along the normal to the same distance in front of its plane. It does not matter whether the
+// normal points towards `axis` or away from it. The same light, amount 0.01 m: moved by 0.0087 m.
 vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount) {
   // TODO(03-shadow-mapping): away from the surface; farther, the more it is tilted in the map
   return position;
 }
 
-// (further) (dz/du, dz/dv) of the plane in which dx and dy lie. These are differences of shadow coordinates (u, v, z)
-// between neighbouring pixels. (0, 0) where dx.xy and dy.xy are parallel or zero: where the absolute value of their
-// determinant is at most 1e-6 |dx.xy| |dy.xy|. Each component is clamped to -100 to 100.
-// dx = (0.01, 0, 0.002), dy = (0, 0.02, -0.01): (0.2, -0.5). Handout, section 6.
+// (further) (dz/du, dz/dv) of the plane of the surface in the map. dx and dy are differences of shadow coordinates (u,
+// v, z) between neighbouring pixels; both lie in the plane. (0, 0) where dx.xy and dy.xy are zero or parallel: where
+// the absolute value of their determinant is at most 1e-6 |dx.xy| |dy.xy|. Each component is clamped to -100..100. dx =
+// (0.01, 0, 0.002), dy = (0, 0.02, -0.01): (0.2, -0.5). Handout, section 6.
 vec2 plane_slope(vec3 dx, vec3 dy) {
   // TODO(03-shadow-mapping): two linear equations for the two slopes; parallel directions have no solution
   return vec2(0.0);
@@ -73,10 +69,10 @@ vec2 plane_slope(vec3 dx, vec3 dy) {
 
 // ---- Many lookups
 
-// Percentage-closer filtering: the mean of PCF x PCF comparisons at the points of a square grid in the map.
-// Neighbouring points are one texel apart, and the centre of the grid is the coordinate. Each comparison uses the depth
-// that the plane through the coordinate has at its point; slope is (dz/du, dz/dv) of this plane. Handout, section 7.
-// You may call: compare_depth.
+// Percentage-closer filtering: the mean of PCF x PCF comparisons, at the points of a square grid in the map.
+// Neighbouring points are one texel apart; the centre of the grid is the coordinate. Each comparison uses the depth of
+// the plane through the coordinate at its point; slope is (dz/du, dz/dv) of this plane.
+// Handout, section 7. You may call: compare_depth.
 float pcf(vec3 coordinate, vec2 slope, int layer) {
   // TODO(03-shadow-mapping): the mean over a grid of PCF x PCF points
   return compare_depth(coordinate, layer);
@@ -84,43 +80,43 @@ float pcf(vec3 coordinate, vec2 slope, int layer) {
 
 // ---- Soft shadows
 
-// (challenge) The depth of a stored depth z, in metres along light.direction from light.eye: z = 0 is the near plane, z
-// = 1 the far plane. z was made by the light's projection, so it is linear for a directional light only. near 1 m, far
-// 3 m, z = 0.75: a spot light 2 m, a directional light 2.5 m. Handout, section 8.
+// (challenge) The distance that belongs to a stored depth z, in metres along light.direction from light.eye: that of
+// the near plane for z = 0, that of the far plane for z = 1. z is what the projection of the light has made of it, so
+// it is linear only for a directional light. near = 1 m, far = 3 m, z = 0.75: 2 m for a spot light, 2.5 m for a
+// directional light. Handout, section 8.
 float linear_depth(ShadowLight light, float z) {
   // TODO(03-shadow-mapping): undo what the projection did to the depth
   return z;
 }
 
-// (challenge) The width of the penumbra on a receiver perpendicular to the light, in metres, from linear depths. A spot
-// light is a square light.width metres wide; a directional light spans an angle whose tangent is light.width. Handout,
-// section 8. A spot light 0.5 m wide, blocker at 2 m, receiver at 3 m: 0.25 m. A directional light with width 0.1: 0.1
-// m.
+// (challenge) The width of the penumbra on a receiver perpendicular to the light, in metres, from linear depths. The
+// source of a spot light is a square light.width metres wide; a directional light spans an angle with this tangent.
+// Spot light 0.5 m wide, blocker at 2 m, receiver at 3 m: 0.25 m. Directional light with width 0.1, the same depths:
+// 0.1 m. Handout, section 8.
 float penumbra_width(ShadowLight light, float receiver, float blocker) {
   // TODO(03-shadow-mapping): similar triangles at the edge of the blocker
   return 0.0;
 }
 
 #ifdef PCSS
-// (challenge) The mean linear depth of the blockers, in metres; -1 where there are none. SAMPLES points of the map are
-// read in a square around the coordinate whose side is `search` (as a fraction of the map's width): sample_point(i) of
-// shadows.glsl says where in the square, from -1/2 to 1/2. A blocker is a texel whose stored depth is less than the
-// depth of the receiver's plane there; as in pcf, slope is (dz/du, dz/dv). Handout, section 8. You may call:
-// linear_depth, sample_point.
+// (challenge) The mean linear depth of the blockers, in metres; -1 where there are none. SAMPLES texels are read in a
+// square around the coordinate. `search` is its side, as a fraction of the map's width; sample_point(i) of shadows.glsl
+// says where in the square, -1/2 to 1/2. A blocker is a texel whose stored depth is less than the depth of the
+// receiver's plane at that point. slope is (dz/du, dz/dv) of this plane, as in pcf.
+// Handout, section 8. You may call: linear_depth, sample_point.
 float blocker_depth(ShadowLight light, vec3 coordinate, vec2 slope, float search) {
   // TODO(03-shadow-mapping): the mean linear depth of the samples that are nearer to the light than the receiver's plane
   return -1.0;
 }
 
-// (challenge) Percentage-closer soft shadows: the mean of SAMPLES comparisons in a square around the coordinate, at the
-// points sample_point(i) and with the depths of the receiver's plane there. The square is as wide as the penumbra that
-// the mean blocker causes. Blockers are searched in the square that contains every point of the near plane on a line
-// from the receiver to the light; it is as wide as the light looks there, and at least 0. `receiver` is the linear
-// depth of the point before any bias; a receiver nearer than the blocker gets no penumbra (width 0). In the map, widths
-// count as fractions of map_width: of that at the near plane for the search, of that at the receiver for the penumbra.
-// 1 where there is no blocker or where coordinate.z > 1. Derivation of the search: handout, section 8. A spot light 0.6
-// m wide, near plane 1 m, receiver 1.5 m: 0.2 m are searched. You may call: map_width, blocker_depth, penumbra_width,
-// compare_depth, sample_point.
+// (challenge) Percentage-closer soft shadows: the mean of SAMPLES comparisons over a square that is as wide as the
+// penumbra. `receiver` is the linear depth of the point before any bias. 1 where coordinate.z > 1, or without blockers.
+// - The search for blockers covers that square of the near plane through which all lines from the point to the light
+//   go; its width is at least 0. Spot light 0.6 m wide, near plane at 1 m, receiver at 1.5 m: a square of 0.2 m.
+// - The penumbra is that of the mean blocker. A receiver nearer than this blocker has a penumbra of width 0.
+// - Both squares are centred at the coordinate; points and depths are as in blocker_depth. A width in metres becomes a
+//   fraction of map_width: for the search of that at the near plane, for the penumbra of that at the receiver.
+// Handout, section 8. You may call: map_width, blocker_depth, penumbra_width, compare_depth, sample_point.
 float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
   // TODO(03-shadow-mapping): search for blockers, estimate the penumbra, filter over its width
   return compare_depth(coordinate, light.layer);
@@ -130,16 +126,16 @@ float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
 // ---- All together
 
 // The fraction of the light that reaches a point, 0 to 1. Step 02's shade gets it from visible_from_spot and
-// visible_from_directional. `normal` is of unit length or zero. BIAS chooses how the point is moved: 0 not at all,
-// 1 constant_bias, 2 slope_bias, 3 normal_offset, 4 not at all (receiver plane, further). The amount is
-// u_bias * FILTER_WIDTH texels, measured at the depth of the point before it is moved. The moved point is looked up:
-// - With BIAS other than 0, z of its shadow coordinate is lowered by u_depth_epsilon.
-// - With BIAS 4, and with PCSS whatever BIAS is, the slope is that of the receiver's plane, from the derivatives dFdx
-// and
-//   dFdy of the shadow coordinate. Then z is lowered once more: by u_bias times the largest change of this plane's
+// visible_from_directional. `normal` is of unit length or zero.
+// - BIAS chooses how the point is moved before it is looked up: 1 constant_bias, 2 slope_bias, 3 normal_offset; with 0
+//   (none) and 4 (receiver plane, further) it is not moved. The amount is u_bias * FILTER_WIDTH texels, a texel as wide
+//   as it is at the depth of the point before it is moved.
+// - With BIAS other than 0, z of the shadow coordinate is lowered by u_depth_epsilon.
+// - With BIAS 4, and with PCSS for every BIAS, the slope is that of the receiver's plane, from the derivatives dFdx and
+//   dFdy of the shadow coordinate. z is then lowered once more, by u_bias times the largest change of this plane's
 //   depth within COMPARISON_HALF_WIDTH texels in u and in v. In all other cases the slope is (0, 0).
-// - The result is that of pcf, or that of pcss where PCSS is defined. Handout, sections 4 to 8. You may call: all
-// functions above.
+// - The result is that of pcf, or that of pcss where PCSS is defined.
+// Handout, sections 4 to 8. You may call: all functions above.
 float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light) {
   // TODO(03-shadow-mapping): bias, coordinate, slope, then pcf or pcss
   return 1.0;

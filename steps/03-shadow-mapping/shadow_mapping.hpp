@@ -82,7 +82,8 @@ LightFrustum fit_spot(const glm::vec3& position, const glm::vec3& direction, flo
 glm::mat4 light_view(const LightFrustum& frustum);
 
 /// Light space to clip space: the square pyramid with the half-angle `extent`, or the square box with the half-width
-/// `extent`, between near and far. You may call: step 01's perspective, orthographic.
+/// `extent`, between near and far. A pyramid throws std::invalid_argument unless 0 < near < far, as step 01's function
+/// does. You may call: step 01's perspective, orthographic.
 glm::mat4 light_projection(const LightFrustum& frustum);
 
 /// Takes -1..1 to 0..1 in x, y and z. It is applied before the division by w. Handout, section 2.
@@ -93,20 +94,20 @@ glm::mat4 bias_matrix();
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// The smallest box of a directional light around a sphere. It looks along `direction` (any length but zero); its eye
-/// is the centre of its near plane, so near is 0. A radius below 1e-6 counts as 1e-6. Radius 2 m: half-width 2 m, far 4
-/// m. Handout, section 3.
+/// is the centre of its near plane, so near is 0. A radius below 1e-6 counts as 1e-6. Radius 2 m: half-width 2 m, far
+/// 4 m. Handout, section 3.
 LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Challenge: shadows that stand still
+// Challenge: shadows that do not crawl
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// Makes a box of which small changes change no texel, so that edges of shadows stand still. Its half-width is made
-/// larger by the factor 1 + 1/resolution (room for the shift below), then rounded up to a power 2^(k/4), k an integer.
-/// Then the eye is shifted perpendicular to the direction, to the nearest place whose x and y in light space, measured
-/// from the world's origin, are integer multiples of a texel of the new width; halfway between two, the larger one is
-/// taken. The axes are those of light_view. Perspective frusta are returned unchanged. Half-width 1 m, 1024
-/// texels: 1.1892 m. Handout, section 9. You may call: step 01's look_at.
+/// Makes edges of shadows stand still while the box that is fitted changes a little: its texels keep their size and
+/// their places in the world. First the half-width is multiplied by 1 + 1/resolution (room for the shift below) and
+/// rounded up to a power 2^(k/4), k an integer. Then the eye is shifted perpendicular to the direction, to the nearest
+/// place whose x and y along the axes of light_view, measured from the world's origin, are integer multiples of a texel
+/// of the new width; halfway between two, the larger one is taken. A pyramid is returned unchanged. Half-width 1 m,
+/// 1024 texels: the new one is 1.1892 m. Handout, section 9. You may call: step 01's look_at.
 LightFrustum snap_to_texels(const LightFrustum& frustum, int resolution);
 
 }  // namespace atelier::shadow_mapping
