@@ -101,6 +101,17 @@ struct ReleaseOptions {
 };
 int run_release(const ReleaseOptions& options);
 
+struct NewStepOptions {
+  std::string step;   ///< "13-old-film"
+  std::string title;  ///< empty: made of the name
+};
+int run_new_step(const NewStepOptions& options);
+
+struct TablesOptions {
+  bool check = false;
+};
+int run_tables(const TablesOptions& options);
+
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere

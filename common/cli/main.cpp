@@ -77,6 +77,8 @@ struct AllOptions {
   AuditOptions audit;
   ReferenceOptions reference;
   SkeletonOptions skeleton;
+  NewStepOptions new_step;
+  TablesOptions tables;
   BenchOptions bench;
   MeasureOptions measure;
   StabilityOptions stability;
@@ -203,6 +205,15 @@ void describe_stability(Interface& interface, StabilityOptions& options) {
 }
 
 void describe_for_authors(Interface& interface, AllOptions& options) {
+  CLI::App* new_step =
+      interface.add("new-step", "Begin a step: all its files, to be changed", options.new_step, run_new_step);
+  new_step->add_option("step", options.new_step.step, "Number and name, as in 13-old-film")->required();
+  new_step->add_option("--title", options.new_step.title, "Its title; without it: made of the name");
+
+  CLI::App* tables = interface.add("tables", "Write the rows of all steps in README.md and handouts/README.md",
+                                   options.tables, run_tables);
+  tables->add_flag("--check", options.tables.check, "Write nothing; fail where a row would change");
+
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
   add_steps(skeleton, options.skeleton.steps);

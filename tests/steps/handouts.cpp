@@ -98,6 +98,12 @@ json listing_of(const CourseStep& step) {
 
 }  // namespace
 
+TEST_CASE("the tables of all steps have the rows of today", "[handouts]") {
+  const Finished finished = run_atelier({"tables", "--check"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 0);
+}
+
 TEST_CASE("what a handout links to is there", "[handouts]") {
   std::vector<std::string> names = {"README"};
   for (const CourseStep& step : judged_steps()) names.push_back(step.name);
