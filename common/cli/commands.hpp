@@ -162,6 +162,7 @@ int run_stability(const StabilityOptions& options);
 
 struct TestOptions {
   enum class Tier { quick, usual, all } tier = Tier::usual;
+  std::string step;  ///< all that must hold of this one alone; empty: the tier
 };
 int run_test(const TestOptions& options);
 

@@ -248,9 +248,12 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
   auto* quick = test->add_flag_callback(
       "--quick", [&] { options.test.tier = TestOptions::Tier::quick; }, "Under three minutes");
-  test->add_flag_callback(
-          "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
-      ->excludes(quick);
+  auto* all = test->add_flag_callback(
+                      "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
+                  ->excludes(quick);
+  test->add_option("--step", options.test.step, "What must hold of this step, and nothing else")
+      ->excludes(quick)
+      ->excludes(all);
 }
 
 /// CLI11 would say that a command is missing; what helps is which one was meant.

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the README's pictures again with the finished solutions.
 #
-#   docs/pictures/make.sh [NN...]     the pictures of these steps; without one: all, the hall too (needs ImageMagick)
+#   docs/pictures/make.sh [NN...]     the pictures of these steps; without one: all, and the hall (which needs ImageMagick)
 #
 # How a step's picture is drawn stands beside this file in NN-name.sh. ATELIER_BUILD names another build folder than
 # build/release.
@@ -9,7 +9,6 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build=${ATELIER_BUILD:-$root/build/release}
-same=(-define png:exclude-chunks=date,time) # the same picture is the same file
 cd "$root"
 
 # draw ARGUMENTS...: docs/pictures/$name.png by $step
@@ -26,12 +25,12 @@ for number in "${@:-}"; do
     name=$step size=240x180
     # shellcheck source=/dev/null
     source "$script"
-    convert "docs/pictures/$name.png" "${same[@]}" "docs/pictures/$name.png"
   done
 done
 if (($# == 0)); then
   step=02-blinn-phong name=hall size=880x440
   draw --scene hall
   # Large and full of detail: 256 colours are a third of the bytes.
-  convert docs/pictures/hall.png -dither FloydSteinberg -colors 256 "${same[@]}" "PNG8:docs/pictures/hall.png"
+  convert docs/pictures/hall.png -dither FloydSteinberg -colors 256 -define png:exclude-chunks=date,time \
+    "PNG8:docs/pictures/hall.png"
 fi

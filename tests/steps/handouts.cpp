@@ -98,13 +98,13 @@ json listing_of(const CourseStep& step) {
 
 }  // namespace
 
-TEST_CASE("the tables of all steps have the rows of today", "[handouts]") {
+TEST_CASE("the tables of all steps have the rows of today", "[handouts][each-step]") {
   const Finished finished = run_atelier({"tables", "--check"});
   INFO(finished.output);
   CHECK(finished.exit_status == 0);
 }
 
-TEST_CASE("what a handout links to is there", "[handouts]") {
+TEST_CASE("what a handout links to is there", "[handouts][each-step]") {
   std::vector<std::string> names = {"README"};
   for (const CourseStep& step : judged_steps()) names.push_back(step.name);
   for (const std::string& name : names) {
@@ -121,7 +121,7 @@ TEST_CASE("what a handout links to is there", "[handouts]") {
   }
 }
 
-TEST_CASE("a handout names every case that has points, and none that there is not", "[handouts]") {
+TEST_CASE("a handout names every case that has points, and none that there is not", "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
     const std::string handout = handout_of(step);
@@ -137,7 +137,7 @@ TEST_CASE("a handout names every case that has points, and none that there is no
   }
 }
 
-TEST_CASE("a handout and the list of all tell the points of each tier", "[handouts]") {
+TEST_CASE("a handout and the list of all tell the points of each tier", "[handouts][each-step]") {
   const std::string list = read_file(folders().handouts() / "README.md");
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
@@ -156,7 +156,7 @@ TEST_CASE("a handout and the list of all tell the points of each tier", "[handou
   }
 }
 
-TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts]") {
+TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
     std::string handout = handout_of(step);

@@ -174,7 +174,7 @@ double mean_level(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("references are the ground truth, or say why they are not", "[truth]") {
+TEST_CASE("references are the ground truth, or say why they are not", "[truth][each-step]") {
   for (const CourseStep& step : course()) {
     if (!has_truth(step)) continue;
     const Workshop workshop(folders(), step);
@@ -199,7 +199,7 @@ TEST_CASE("references are the ground truth, or say why they are not", "[truth]")
   }
 }
 
-TEST_CASE("the truth does not hang on the student's code", "[truth]") {
+TEST_CASE("the truth does not hang on the student's code", "[truth][each-step]") {
   for (const CourseStep& step : course()) {
     if (!has_truth(step)) continue;
     const Workshop workshop(folders(), step);
@@ -210,7 +210,7 @@ TEST_CASE("the truth does not hang on the student's code", "[truth]") {
   }
 }
 
-TEST_CASE("mipmaps come close to what supersampling shows", "[truth]") {
+TEST_CASE("mipmaps come close to what supersampling shows", "[truth][02-blinn-phong]") {
   const CourseStep* step = nullptr;
   const auto all = course();
   for (const CourseStep& each : all)
@@ -250,7 +250,7 @@ TEST_CASE("mipmaps come close to what supersampling shows", "[truth]") {
   }
 }
 
-TEST_CASE("every scene is the truth in every output, under every setting that must not matter", "[truth]") {
+TEST_CASE("every scene is the truth in every output, under every setting that must not matter", "[truth][each-step]") {
   struct Row {
     const char* name;
     const char* output;

@@ -37,7 +37,7 @@ const std::vector<std::string> step_folders = {"steps",          "solutions",   
                                                "tests/mistakes", "tests/variants", "tests/stability"};
 
 /// The entries of a folder that begin with a step's number: "01-transforms".
-std::vector<std::string> steps_in(const fs::path& folder) {
+std::vector<std::string> numbered_in(const fs::path& folder) {
   static const std::regex numbered("[0-9]{2}-.*");
   std::vector<std::string> names;
   std::error_code missing;
@@ -51,7 +51,7 @@ std::vector<std::string> steps_in(const fs::path& folder) {
 std::string lowest_free_number(const fs::path& root) {
   std::set<std::string> taken;
   for (const std::string& folder : step_folders)
-    for (const std::string& step : steps_in(root / folder)) taken.insert(step.substr(0, 2));
+    for (const std::string& step : numbered_in(root / folder)) taken.insert(step.substr(0, 2));
   for (int number = 3; number < 100; ++number)
     if (const std::string text = fmt::format("{:02}", number); !taken.contains(text)) return text;
   return "none";
@@ -145,7 +145,7 @@ StepFiles files_of_step(const fs::path& folder, const StepNames& names) {
 
 void refuse_taken(const fs::path& root, const StepNames& names, const StepFiles& files) {
   for (const std::string& folder : step_folders)
-    for (const std::string& step : steps_in(root / folder)) {
+    for (const std::string& step : numbered_in(root / folder)) {
       const std::string there = folder + "/" + step;
       if (step.starts_with(names.number + "-"))
         throw Error(
