@@ -112,6 +112,16 @@ struct TablesOptions {
 };
 int run_tables(const TablesOptions& options);
 
+struct MistakeOptions {
+  std::string step, name;
+  bool begin = false;          ///< make the copy that is to be edited
+  bool spelling = false;       ///< of a mistake that there is: the same in other words
+  bool variant = false;        ///< no mistake, another right answer
+  std::filesystem::path from;  ///< the edited copy; empty: out/mistake/NN-name
+  std::string rebase;          ///< renew all patches, made for the solution of this revision of git
+};
+int run_mistake(const MistakeOptions& options);
+
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere

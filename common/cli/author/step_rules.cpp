@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
+#include "cli/author/mistake_list.hpp"
 #include "cli/author/truth_agreement.hpp"
 #include "cli/student/hints.hpp"
 #include "judge/compare/mistakes.hpp"
@@ -133,6 +134,10 @@ Lacks lacks_of_truth(const ProjectFolders& folders, const CourseStep& step, cons
 
 Lacks lacks_of_mistakes(const ProjectFolders& folders, const CourseStep& step) {
   Lacks lacks;
+  for (const fs::path& list : {folders.mistakes_file(step.name), folders.variants_file(step.name)})
+    if (fs::exists(list) && read_file(list).find(to_be_written) != std::string::npos)
+      lacks.push_back(
+          fmt::format("{}: something is still '{}...'", list.lexically_relative(folders.root).string(), to_be_written));
   for (const judge::Mistake& mistake : judge::read_mistakes(folders.mistakes_file(step.name)))
     if (!mistake.spelling)
       lacks.push_back(fmt::format(

@@ -27,7 +27,7 @@ Lacks lacks_of_cases(const ProjectFolders& folders, const CourseStep& step);
 /// `agreement`), or the case says in truth_differs why it is not.
 Lacks lacks_of_truth(const ProjectFolders& folders, const CourseStep& step, const std::vector<std::string>& cases);
 
-/// Told by ./atelier audit: mistakes and variants, and of each mistake a second spelling.
+/// Told by ./atelier audit: mistakes and variants, their words written, and of each mistake a second spelling.
 Lacks lacks_of_mistakes(const ProjectFolders& folders, const CourseStep& step);
 
 /// Told by ./atelier measure where all of a step was measured: two sweeps whose errors have a slope, something expected

@@ -8,9 +8,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/folder_lock.hpp"
-#include "base/process.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/skeleton_record.hpp"
+#include "cli/merge.hpp"
 
 namespace atelier {
 namespace {
@@ -32,23 +32,6 @@ std::vector<std::string> files_below(const fs::path& folder) {
 std::optional<std::string> read_where_there(const fs::path& path) {
   if (!fs::exists(path)) return std::nullopt;
   return read_file(path);
-}
-
-/// `mine` with what has changed from `given` to `skeleton`. Nothing where git is missing or both changed the same.
-std::optional<std::string> merged(const std::string& mine, const std::string& given, const std::string& skeleton) {
-  const TemporaryFolder folder("atelier-merge");
-  write_file(folder.path() / "mine", mine);
-  write_file(folder.path() / "given", given);
-  write_file(folder.path() / "skeleton", skeleton);
-  try {
-    const Finished git = run_process({.arguments = {"git", "merge-file", "--quiet", "mine", "given", "skeleton"},
-                                      .folder = folder.path(),
-                                      .time_limit = std::chrono::seconds(10)});
-    if (!git.ok()) return std::nullopt;
-  } catch (const Error&) {
-    return std::nullopt;  // no git on this machine
-  }
-  return read_file(folder.path() / "mine");
 }
 
 class Update {
