@@ -101,6 +101,27 @@ struct ReleaseOptions {
 };
 int run_release(const ReleaseOptions& options);
 
+struct NewStepOptions {
+  std::string step;   ///< "13-old-film"
+  std::string title;  ///< empty: made of the name
+};
+int run_new_step(const NewStepOptions& options);
+
+struct TablesOptions {
+  bool check = false;
+};
+int run_tables(const TablesOptions& options);
+
+struct MistakeOptions {
+  std::string step, name;
+  bool begin = false;          ///< make the copy that is to be edited
+  bool spelling = false;       ///< of a mistake that there is: the same in other words
+  bool variant = false;        ///< no mistake, another right answer
+  std::filesystem::path from;  ///< the edited copy; empty: out/mistake/NN-name
+  std::string rebase;          ///< renew all patches, made for the solution of this revision of git
+};
+int run_mistake(const MistakeOptions& options);
+
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere
@@ -151,6 +172,7 @@ int run_stability(const StabilityOptions& options);
 
 struct TestOptions {
   enum class Tier { quick, usual, all } tier = Tier::usual;
+  std::string step;  ///< all that must hold of this one alone; empty: the tier
 };
 int run_test(const TestOptions& options);
 

@@ -77,6 +77,9 @@ struct AllOptions {
   AuditOptions audit;
   ReferenceOptions reference;
   SkeletonOptions skeleton;
+  NewStepOptions new_step;
+  TablesOptions tables;
+  MistakeOptions mistake;
   BenchOptions bench;
   MeasureOptions measure;
   StabilityOptions stability;
@@ -202,7 +205,32 @@ void describe_stability(Interface& interface, StabilityOptions& options) {
   add_json(stability, options.json);
 }
 
+void describe_mistake(Interface& interface, MistakeOptions& options) {
+  CLI::App* mistake =
+      interface.add("mistake", "Make a known mistake of an edited copy of the solution", options, run_mistake);
+  add_step(mistake, options.step);
+  mistake->add_option("name", options.name, "Its name, as in half-forgotten");
+  auto* begin = mistake->add_flag("--begin", options.begin, "Make the copy that is to be edited");
+  auto* spelling = mistake->add_flag("--spelling", options.spelling, "The same mistake in other words");
+  auto* variant = mistake->add_flag("--variant", options.variant, "No mistake, but another right answer");
+  auto* from = mistake->add_option("--from", options.from, "The edited copy; without it: out/mistake/STEP");
+  auto* rebase = mistake->add_option("--rebase", options.rebase,
+                                     "Renew all patches, made for the solution of this revision of git");
+  for (CLI::Option* useless : {begin, spelling, variant, from}) rebase->excludes(useless);
+}
+
 void describe_for_authors(Interface& interface, AllOptions& options) {
+  CLI::App* new_step =
+      interface.add("new-step", "Begin a step: all its files, to be changed", options.new_step, run_new_step);
+  new_step->add_option("step", options.new_step.step, "Number and name, as in 13-old-film")->required();
+  new_step->add_option("--title", options.new_step.title, "Its title; without it: made of the name");
+
+  describe_mistake(interface, options.mistake);
+
+  CLI::App* tables = interface.add("tables", "Write the rows of all steps in README.md and handouts/README.md",
+                                   options.tables, run_tables);
+  tables->add_flag("--check", options.tables.check, "Write nothing; fail where a row would change");
+
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
   add_steps(skeleton, options.skeleton.steps);
@@ -237,9 +265,12 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
   auto* quick = test->add_flag_callback(
       "--quick", [&] { options.test.tier = TestOptions::Tier::quick; }, "Under three minutes");
-  test->add_flag_callback(
-          "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
-      ->excludes(quick);
+  auto* all = test->add_flag_callback(
+                      "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
+                  ->excludes(quick);
+  test->add_option("--step", options.test.step, "What must hold of this step, and nothing else")
+      ->excludes(quick)
+      ->excludes(all);
 }
 
 /// CLI11 would say that a command is missing; what helps is which one was meant.

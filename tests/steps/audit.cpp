@@ -6,8 +6,8 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("every known mistake is caught by the case that claims to, and every variant passes", "[audit]") {
-  const Printed audit = printed({"audit"});
+TEST_CASE("every known mistake is caught by the case that claims to, and every variant passes", "[audit][each-step]") {
+  const Printed audit = printed(with_steps({"audit"}));
   CHECK(!audit.json["mistakes"].empty());
   CHECK(!audit.json["variants"].empty());
   for (const json& m : audit.json["mistakes"]) {
@@ -24,8 +24,8 @@ TEST_CASE("every known mistake is caught by the case that claims to, and every v
   CHECK(audit.exit_status == 0);
 }
 
-TEST_CASE("the references are what the solutions draw", "[references]") {
-  const Printed references = printed({"reference", "--check"});
+TEST_CASE("the references are what the solutions draw", "[references][each-step]") {
+  const Printed references = printed(with_steps({"reference", "--check"}));
   for (const json& r : references.json["references"]) {
     INFO(r.dump());
     CHECK(r["state"] == "as it was");

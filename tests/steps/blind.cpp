@@ -6,7 +6,7 @@
 using namespace atelier;
 using namespace atelier::test;
 
-TEST_CASE("a blind darkens corners as it does pixels", "[blind]") {
+TEST_CASE("a blind darkens corners as it does pixels", "[blind][02-blinn-phong]") {
   const auto plate = [](const char* shading, bool blind) {
     return picture("plate", {{"shading", std::string(shading)}, {"light.blind", blind}, {"plate.cells", 512}});
   };

@@ -1,5 +1,8 @@
 #include "command.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "base/file.hpp"
 #include "catch.hpp"
 
@@ -9,8 +12,19 @@ ProjectFolders folders() {
   return {.root = ATELIER_ROOT, .build = ATELIER_BUILD};
 }
 
+bool is_whole_course() {
+  return std::getenv("ATELIER_TEST_STEP") == nullptr;
+}
+
 std::vector<CourseStep> course() {
-  return read_course(folders().step_flags());
+  const auto all = read_course(folders().step_flags());
+  if (is_whole_course()) return all;
+  return {resolve_step(all, std::getenv("ATELIER_TEST_STEP"))};
+}
+
+std::vector<std::string> with_steps(std::vector<std::string> arguments) {
+  if (!is_whole_course()) arguments.push_back(course().front().name);
+  return arguments;
 }
 
 Finished run_atelier(std::vector<std::string> arguments) {
@@ -22,6 +36,8 @@ nlohmann::json graded(const std::filesystem::path& submission, const std::vector
   const TemporaryFolder out("atelier-steps-test");
   std::vector<std::string> arguments = {"grade", submission.string(), "--out", out.path().string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
+  const bool names_steps = std::find(options.begin(), options.end(), "--step") != options.end();
+  if (!is_whole_course() && !names_steps) arguments.insert(arguments.end(), {"--step", course().front().name});
   const Finished finished = run_atelier(arguments);
   INFO(finished.output);
   REQUIRE(finished.exit_status == 0);

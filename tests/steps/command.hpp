@@ -13,12 +13,19 @@ namespace atelier::test {
 
 /// The folders of the project under test. The ones compiled into the command are the same: one CMake made both.
 ProjectFolders folders();
+/// The steps of the course; where ATELIER_TEST_STEP names one, that one alone. Tests with the tag [each-step] go
+/// through it, and so can be run for one step: ./atelier test --step NN.
 std::vector<CourseStep> course();
+/// A command with the steps of course() behind it; without any where they are all.
+std::vector<std::string> with_steps(std::vector<std::string> arguments);
+/// Whether course() is all.
+bool is_whole_course();
 
 /// The program behind ./atelier; the launcher would build, and the build is running these tests.
 Finished run_atelier(std::vector<std::string> arguments);
 
-/// results.json of `grade SUBMISSION OPTIONS...`, whose exit status must be 0.
+/// results.json of `grade SUBMISSION OPTIONS...`, whose exit status must be 0. Where the options name no step: of the
+/// steps of course().
 nlohmann::json graded(const std::filesystem::path& submission, const std::vector<std::string>& options = {});
 
 /// What `command ... --json` prints, and its exit status.

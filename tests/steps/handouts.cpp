@@ -1,15 +1,13 @@
 // What a handout names is there: the files and headings that it links to, the cases of its tables, and the scenes,
 // settings and outputs of its commands. Every case is named in turn, and the points are right.
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 
 #include "base/file.hpp"
 #include "catch.hpp"
+#include "cli/author/step_rules.hpp"
 #include "command.hpp"
 #include "judge/compare/judged_case.hpp"
 
@@ -98,7 +96,13 @@ json listing_of(const CourseStep& step) {
 
 }  // namespace
 
-TEST_CASE("what a handout links to is there", "[handouts]") {
+TEST_CASE("the tables of all steps have the rows of today", "[handouts][each-step]") {
+  const Finished finished = run_atelier({"tables", "--check"});
+  INFO(finished.output);
+  CHECK(finished.exit_status == 0);
+}
+
+TEST_CASE("what a handout links to is there", "[handouts][each-step]") {
   std::vector<std::string> names = {"README"};
   for (const CourseStep& step : judged_steps()) names.push_back(step.name);
   for (const std::string& name : names) {
@@ -115,42 +119,19 @@ TEST_CASE("what a handout links to is there", "[handouts]") {
   }
 }
 
-TEST_CASE("a handout names every case that has points, and none that there is not", "[handouts]") {
+TEST_CASE("a handout has every case and the points of each tier, and no case that there is not",
+          "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
-    const std::string handout = handout_of(step);
     Names cases;
-    std::string not_told;
-    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases) {
-      if (c.hidden) continue;
-      cases.insert(c.ask.name);
-      if (c.points > 0 && handout.find('`' + c.ask.name + '`') == std::string::npos) not_told += c.ask.name + ' ';
-    }
-    CHECK(not_told == "");
-    CHECK(missing(cases_in_tables(handout), cases) == "");
+    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases)
+      if (!c.hidden) cases.insert(c.ask.name);
+    CHECK(in_lines(lacks_of_cases(folders(), step)) == "");
+    CHECK(missing(cases_in_tables(handout_of(step)), cases) == "");
   }
 }
 
-TEST_CASE("a handout and the list of all tell the points of each tier", "[handouts]") {
-  const std::string list = read_file(folders().handouts() / "README.md");
-  for (const CourseStep& step : judged_steps()) {
-    INFO(step.name);
-    std::map<std::string, double> points = {{"core", 0}, {"further", 0}, {"challenge", 0}};
-    for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases) points[c.tier] += c.points;
-    if (points["core"] == 0) continue;
-    const std::string handout = handout_of(step);
-    for (const auto& [tier, sum] : points) {
-      INFO(tier);
-      const Names told = found(handout, "\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|");
-      CHECK(told == (sum > 0 ? Names{fmt::format("{}", sum)} : Names{}));  // a tier without points has no row
-    }
-    const std::string row = fmt::format("| {} + {} + {} |", points["core"], points["further"], points["challenge"]);
-    CHECK(list.find("(" + step.name + ".md)") < list.find(row));
-    CHECK(list.find(row) != std::string::npos);
-  }
-}
-
-TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts]") {
+TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
     std::string handout = handout_of(step);

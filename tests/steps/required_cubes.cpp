@@ -23,7 +23,7 @@ const SettingValue never = std::string("never"), six = std::string("six"), all_f
 
 }  // namespace
 
-TEST_CASE("lamps that need no cube have none", "[required]") {
+TEST_CASE("lamps that need no cube have none", "[required][04-point-shadows]") {
   const std::vector<Priced> rows = {
       {"casters all round: a cube, one pass for its six faces, one texture",
        lamp_lit("lantern"),
@@ -52,7 +52,7 @@ TEST_CASE("lamps that need no cube have none", "[required]") {
   check_costs(cubes_step, rows);
 }
 
-TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {
+TEST_CASE("faces that see no caster are cleared, and not drawn", "[required][04-point-shadows]") {
   const auto all = drawn(cubes_step, {lamp_lit("crates", {{"light.count", 0}}), lamp_lit("crates"),
                                       lamp_lit("crates", {{"cube.passes", six}}),
                                       lamp_lit("crates", {{"cube.passes", six}, {"cube.faces", all_faces}})});
@@ -66,7 +66,8 @@ TEST_CASE("faces that see no caster are cleared, and not drawn", "[required]") {
   for (const std::size_t i : {2u, 3u}) CHECK(pixels_apart(all[i].picture, all[1].picture) == 0);
 }
 
-TEST_CASE("faces that nothing in the picture is looked up in are not drawn for every frame", "[required]") {
+TEST_CASE("faces that nothing in the picture is looked up in are not drawn for every frame",
+          "[required][04-point-shadows]") {
   const SettingValue always = std::string("always"), all_cast = std::string("all");
   std::vector<Case> pictures;
   for (const char* scene : {"cube-room", "lantern", "touching", "crates"})
@@ -95,7 +96,7 @@ TEST_CASE("faces that nothing in the picture is looked up in are not drawn for e
   CHECK(drawn(cubes_step, {fine})[0].counts.at("passes") <= all[0].counts.at("passes") - 2);
 }
 
-TEST_CASE("cubes of what stands still are drawn once", "[required]") {
+TEST_CASE("cubes of what stands still are drawn once", "[required][04-point-shadows]") {
   for (const char* scene : {"lantern", "room", "touching", "desk"}) {
     INFO(scene);
     const auto first = drawn(cubes_step, {lamp_lit(scene)})[0].counts;

@@ -9,13 +9,13 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("the skeletons are those of the solutions", "[skeletons]") {
-  const Finished finished = run_atelier({"skeleton", "--check"});
+TEST_CASE("the skeletons are those of the solutions", "[skeletons][each-step]") {
+  const Finished finished = run_atelier(with_steps({"skeleton", "--check"}));
   INFO(finished.output);
   CHECK(finished.exit_status == 0);
 }
 
-TEST_CASE("untouched skeletons build without a warning, do not crash, and earn nothing", "[skeletons]") {
+TEST_CASE("untouched skeletons build without a warning, do not crash, and earn nothing", "[skeletons][each-step]") {
   const json results = graded(folders().steps());
   REQUIRE(results["steps"].size() == course().size());
   for (const json& step : results["steps"]) {

@@ -7,7 +7,7 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("the solutions get all points", "[solutions]") {
+TEST_CASE("the solutions get all points", "[solutions][each-step]") {
   const json results = graded(folders().solutions());
   REQUIRE(results["steps"].size() == course().size());
   CHECK(results["score"] == results["max_score"]);

@@ -58,10 +58,11 @@ std::size_t stop_behind(const std::string& last, const std::filesystem::path& fo
 
 }  // namespace
 
-TEST_CASE("no tier asks for what only later tiers are about", "[tiers]") {
+TEST_CASE("no tier asks for what only later tiers are about", "[tiers][each-step]") {
   for (const std::string last : {"core", "further"}) {
     const TemporaryFolder submission;
-    CHECK(stop_behind(last, submission.path()) > 0);
+    const std::size_t left_out = stop_behind(last, submission.path());
+    if (is_whole_course()) CHECK(left_out > 0);
     const json results = graded(submission.path());
     REQUIRE(results["steps"].size() == course().size());
     for (const json& step : results["steps"]) {

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
+#include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
 #include "judge/compare/mistakes.hpp"
@@ -45,6 +46,7 @@ struct VariantAudit {
 struct Audit {
   std::vector<MistakeAudit> mistakes;
   std::vector<VariantAudit> variants;
+  Lacks lacks;  ///< of the steps, in sentences
 };
 
 bool loses_points(const CaseResult& result) {
@@ -180,6 +182,7 @@ void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& au
       audited_variants[i - mistakes.size()] = audit_variant(workshop, judge, variants[i - mistakes.size()]);
   });
   audit.mistakes.insert(audit.mistakes.end(), audited_mistakes.begin(), audited_mistakes.end());
+  for (const std::string& lack : lacks_of_mistakes(folders, step)) audit.lacks.push_back(lack);
   audit.variants.insert(audit.variants.end(), audited_variants.begin(), audited_variants.end());
 }
 
@@ -207,8 +210,8 @@ std::string to_json(const Audit& audit) {
                         {"trouble", m.trouble}});
   for (const VariantAudit& v : audit.variants)
     variants.push_back({{"step", v.step}, {"name", v.name}, {"passed", v.passed}, {"trouble", v.trouble}});
-  return OrderedJson{{"mistakes", mistakes}, {"variants", variants}}.dump(2, ' ', false,
-                                                                          OrderedJson::error_handler_t::replace) +
+  return OrderedJson{{"mistakes", mistakes}, {"variants", variants}, {"lacks", audit.lacks}}.dump(
+             2, ' ', false, OrderedJson::error_handler_t::replace) +
          "\n";
 }
 
@@ -230,6 +233,7 @@ void print_table(const Audit& audit) {
              count(audit.mistakes, [](const auto& m) { return m.caught; }), audit.mistakes.size(),
              count(audit.mistakes, [](const auto& m) { return m.named == m.name; }),
              count(audit.variants, [](const auto& v) { return v.passed; }), audit.variants.size());
+  fmt::print("{}", in_lines(audit.lacks));
 }
 
 }  // namespace
@@ -246,9 +250,9 @@ int run_audit(const AuditOptions& options) {
     fmt::print("{}", json);
   else
     print_table(audit);
-  const bool short_of =
-      std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) { return falls_short(m); }) ||
-      std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
+  const bool short_of = !audit.lacks.empty() || std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) {
+    return falls_short(m);
+  }) || std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
   return short_of ? exit_failed : exit_ok;
 }
 

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
+#include "cli/author/step_rules.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/search_path.hpp"
@@ -170,7 +171,11 @@ int run_measure(const MeasureOptions& options) {
     fmt::print("{}", measure::as_json(measured));
   else
     print_results(measured, out);
-  return all_met(all_findings(measured)) ? exit_ok : exit_failed;
+  // Of a student's own files and of single settings nothing more is asked.
+  const bool of_author = options.setting.empty() && !options.mine && is_there(folders, step.name, Owner::solution);
+  const Lacks lacks = of_author ? lacks_of_measured(folders, measured) : Lacks();
+  if (!options.json) fmt::print("{}", in_lines(lacks));
+  return all_met(all_findings(measured)) && lacks.empty() ? exit_ok : exit_failed;
 }
 
 }  // namespace atelier

@@ -13,6 +13,7 @@
 #include "base/file.hpp"
 #include "base/replace_together.hpp"
 #include "base/strict_json.hpp"
+#include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
 #include "grade/environment.hpp"
@@ -195,7 +196,19 @@ void print_table(const std::vector<ReferenceRow>& rows) {
   }
 }
 
-void print_json(const std::vector<ReferenceRow>& rows) {
+/// What the step's cases lack beside, where all of them were asked for; of new references the truth.
+Lacks lacks_of(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
+               const std::vector<ReferenceRow>& rows) {
+  std::vector<std::string> fresh;
+  for (const ReferenceRow& row : rows)
+    if (row.state == "written") fresh.push_back(row.name);
+  Lacks lacks = lacks_of_truth(folders, step, fresh);
+  if (options.cases.empty())
+    for (const std::string& lack : lacks_of_cases(folders, step)) lacks.push_back(lack);
+  return lacks;
+}
+
+void print_json(const std::vector<ReferenceRow>& rows, const Lacks& lacks) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ReferenceRow& row : rows)
     list.push_back({{"step", row.step},
@@ -205,7 +218,7 @@ void print_json(const std::vector<ReferenceRow>& rows) {
                     {"margin", row.margin},
                     {"state", row.state},
                     {"trouble", row.trouble}});
-  fmt::print("{}\n", nlohmann::ordered_json{{"references", list}}.dump(2));
+  fmt::print("{}\n", nlohmann::ordered_json{{"references", list}, {"lacks", lacks}}.dump(2));
 }
 
 }  // namespace
@@ -217,17 +230,20 @@ int run_reference(const ReferenceOptions& options) {
         "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
   const judge::Environment environment = grade::describe_environment("", folders.step_flags(), folders.root);
   std::vector<ReferenceRow> rows;
+  Lacks lacks;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {
     const auto more = make_step(folders, step, options, environment);
     rows.insert(rows.end(), more.begin(), more.end());
+    for (const std::string& lack : lacks_of(folders, step, options, more)) lacks.push_back(lack);
   }
-  options.json ? print_json(rows) : print_table(rows);
+  options.json ? print_json(rows, lacks) : print_table(rows);
+  if (!options.json) fmt::print("{}", in_lines(lacks));
 
   const auto any = [&](const char* state) {
     return std::any_of(rows.begin(), rows.end(), [&](const ReferenceRow& row) { return row.state == state; });
   };
   if (any("refused")) throw Error("some references were refused, and stay as they were: the table says why");
-  return any("would change") ? exit_failed : exit_ok;
+  return any("would change") || !lacks.empty() ? exit_failed : exit_ok;
 }
 
 }  // namespace atelier

@@ -1,12 +1,15 @@
 // ./atelier skeleton: makes the students' files out of the solutions.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/marked_text.hpp"
 #include "cli/author/skeleton_record.hpp"
+#include "cli/author/step_rules.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 
@@ -53,6 +56,15 @@ int check(const std::vector<Skeleton>& skeletons) {
   return exit_failed;
 }
 
+/// Says what the steps' tests lack, and is the exit status of that.
+int tell_lacks(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
+  Lacks lacks;
+  for (const CourseStep& step : steps)
+    for (const std::string& lack : lacks_of_tests(folders, step)) lacks.push_back(lack);
+  fmt::print("{}", in_lines(lacks));
+  return lacks.empty() ? exit_ok : exit_failed;
+}
+
 void refuse_to_overwrite(const std::vector<Skeleton>& skeletons) {
   std::vector<std::string> edited;
   for (const Skeleton& skeleton : skeletons)
@@ -68,7 +80,7 @@ int run_skeleton(const SkeletonOptions& options) {
   const auto steps = resolve_steps(read_course(folders.step_flags()), options.steps);
   SkeletonRecord record = read_skeleton_record(folders.steps());
   const auto skeletons = make_skeletons(folders, steps, record);
-  if (options.check) return check(skeletons);
+  if (options.check) return std::max(check(skeletons), tell_lacks(folders, steps));
 
   if (!options.force) refuse_to_overwrite(skeletons);
   for (const Skeleton& skeleton : skeletons) {
@@ -79,7 +91,7 @@ int run_skeleton(const SkeletonOptions& options) {
   }
   write_skeleton_record(folders.steps(), record);
   fmt::print("{} skeletons are up to date\n", skeletons.size());
-  return exit_ok;
+  return tell_lacks(folders, steps);
 }
 
 }  // namespace atelier

@@ -3,6 +3,7 @@
 //   --quick   the unit tests, and the steps' solutions through the judge
 //   (usual)   all but what is labelled "long", and the unit tests once more under AddressSanitizer and UBSan
 //   --all     everything, and the unit tests in a build where every file is compiled by itself
+//   --step    what must hold of one step, topic by topic (test_step.cpp)
 //
 // ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
 #include <fcntl.h>
@@ -17,6 +18,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "cli/author/test_step.hpp"
 #include "cli/author/test_tally.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
@@ -107,9 +109,10 @@ int run_test(const TestOptions& options) {
   const ProjectFolders folders = project_folders();
   if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
     throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
-  Tally tally = run_ctest(folders.build, selection_of(options.tier));
-  const bool all = options.tier == TestOptions::Tier::all;
-  if (options.tier != TestOptions::Tier::quick) {
+  const bool all = options.tier == TestOptions::Tier::all, one_step = !options.step.empty();
+  Tally tally = one_step ? test_step(folders, resolve_step(read_course(folders.step_flags()), options.step))
+                         : run_ctest(folders.build, selection_of(options.tier));
+  if (!one_step && options.tier != TestOptions::Tier::quick) {
     fmt::print("\n{} under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n",
                all ? "All unit tests" : "Unit tests of the judge and of all that reads input");
     tally += all ? run_preset(folders, "sanitize", {"unit_tests"}, "unit")

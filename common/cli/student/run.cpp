@@ -12,6 +12,18 @@
 #include "cli/student/own_files.hpp"
 
 namespace atelier {
+namespace {
+
+/// Whose files are drawn with, in one line: "03-shadow-mapping: yours (steps/03-shadow-mapping); 01-transforms:
+/// solution". The step's own are always the student's.
+std::string whose_files(const ProjectFolders& folders, const CourseStep& step, const Owners& earlier) {
+  std::string line = fmt::format("{}: {} ({})", step.name, to_string(Owner::mine),
+                                 (folders.steps() / step.name).lexically_relative(folders.own()).string());
+  for (const auto& [name, owner] : earlier) line += fmt::format("; {}: {}", name, to_string(owner));
+  return line;
+}
+
+}  // namespace
 
 int run_run(const RunOptions& options) {
   if (options.step.empty()) throw Error("run: say which step, as in ./atelier run 02");
@@ -21,7 +33,7 @@ int run_run(const RunOptions& options) {
   const OwnFiles own = prepare_own_files(folders, course, step, code_of(folders, Owner::mine), options.earlier);
   if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
   if (!own.built.log.empty()) fmt::print(stderr, "{}", own.built.log);  // warnings
-  for (const auto& [name, owner] : own.earlier) fmt::print(stderr, "with {}: {}\n", name, to_string(owner));
+  fmt::print(stderr, "{}\n", whose_files(folders, step, own.earlier));
 
   std::vector<std::string> arguments = {folders.program(step.name).string(), "--implementations", own.path.to_string()};
   arguments.insert(arguments.end(), options.arguments.begin(), options.arguments.end());

@@ -8,9 +8,9 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/folder_lock.hpp"
-#include "base/process.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/skeleton_record.hpp"
+#include "cli/merge.hpp"
 #include "cli/student/function_text.hpp"
 #include "cli/student/renames.hpp"
 
@@ -36,25 +36,11 @@ std::optional<std::string> read_where_there(const fs::path& path) {
   return read_file(path);
 }
 
-/// `mine` with what has changed from `given` to `skeleton`. Where both have changed the same lines, and the code of the
-/// skeleton is as it was, mine counts: only its comments were written anew. Nothing where git is missing, and where
-/// there is another conflict.
-std::optional<std::string> merged(const std::string& mine, const std::string& given, const std::string& skeleton) {
-  const TemporaryFolder folder("atelier-merge");
-  write_file(folder.path() / "mine", mine);
-  write_file(folder.path() / "given", given);
-  write_file(folder.path() / "skeleton", skeleton);
-  try {
-    std::vector<std::string> command = {"git", "merge-file", "--quiet"};
-    if (same_code(given, skeleton)) command.push_back("--ours");
-    command.insert(command.end(), {"mine", "given", "skeleton"});
-    const Finished git =
-        run_process({.arguments = command, .folder = folder.path(), .time_limit = std::chrono::seconds(10)});
-    if (!git.ok()) return std::nullopt;
-  } catch (const Error&) {
-    return std::nullopt;  // no git on this machine
-  }
-  return read_file(folder.path() / "mine");
+/// The changes of a release in the student's text. Where both have changed the same lines and the skeleton's code is as
+/// it was, the student's lines stay: only comments were written anew.
+std::optional<std::string> with_changes(const std::string& mine, const std::string& given,
+                                        const std::string& skeleton) {
+  return merged(mine, given, skeleton, same_code(given, skeleton) ? Conflict::keep_mine : Conflict::give_up);
 }
 
 class Update {
@@ -117,7 +103,9 @@ class Update {
   void keep(const std::string& name, const std::string& mine, const std::optional<std::string>& given,
             const std::string& skeleton) {
     const std::string mine_renamed = with_new_names(name, mine);
-    const auto both = given == skeleton ? mine_renamed : given ? merged(mine_renamed, *given, skeleton) : std::nullopt;
+    const auto both = given == skeleton ? mine_renamed
+                      : given           ? with_changes(mine_renamed, *given, skeleton)
+                                        : std::nullopt;
     if (both == mine) return;  // the student has made the same changes
     if (both) {
       const fs::path before = free_path(steps_ / name, ".before-merge");

@@ -53,6 +53,7 @@ ShaderFunction DepthMap::read_by(ShaderFunction function) const {
 
 }  // namespace atelier::stability
 
+// make_shadow_maps and begin_depth_pass only tell OpenGL what to do: their probes read all of it back.
 void atelier_stability_table(atelier::stability::Table& table, atelier::stability::ShaderFunctions& shaders) {
   using namespace atelier::stability;
   add_fit_rows(table);

@@ -1,0 +1,159 @@
+// ./atelier mistake: known mistakes and variants of a step, made from an edited copy of its solution, and renewed where
+// the solution has changed.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <regex>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "cli/author/mistake_list.hpp"
+#include "cli/author/solution_patch.hpp"
+#include "cli/commands.hpp"
+#include "cli/layout.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where a patch goes, and the list that has it.
+struct Place {
+  fs::path patch, list;
+};
+
+Place place_of(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options) {
+  const fs::path list = options.variant ? folders.variants_file(step.name) : folders.mistakes_file(step.name);
+  return {list.parent_path() / (options.name + (options.spelling ? ".other.patch" : ".patch")), list};
+}
+
+std::string relative(const ProjectFolders& folders, const fs::path& path) {
+  return path.lexically_relative(folders.root).generic_string();
+}
+
+/// The command again, with another ending.
+std::string command(const CourseStep& step, const MistakeOptions& options, const std::string& ending = "") {
+  const char* kind = options.variant ? " --variant" : options.spelling ? " --spelling" : "";
+  return fmt::format("./atelier mistake {} {}{}{}", step.number(), options.name, kind, ending);
+}
+
+void check_name(const MistakeOptions& options) {
+  static const std::regex form("[a-z0-9-]{1,64}");
+  if (!std::regex_match(options.name, form))
+    throw Error(fmt::format("mistake '{}': a name is small letters, digits and dashes, at most 64", options.name));
+  if (options.variant && options.spelling)
+    throw Error("mistake: --variant and --spelling exclude each other: only a mistake has a second spelling");
+}
+
+int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
+          const fs::path& folder) {
+  const Sources solution = sources_of(folders.solutions() / step.name);
+  if (fs::exists(folder) && sources_of(folder) != solution)
+    throw Error(fmt::format("{}: is not the solution, so somebody works there; take it by {}, or remove the folder",
+                            folder.string(), command(step, options)));
+  for (const auto& [name, text] : solution) write_file(folder / name, text);
+  fmt::print("{} is a copy of the solution. Make the {} there, then type\n\n  {}\n", folder.string(),
+             options.variant ? "variant" : "mistake", command(step, options));
+  return exit_ok;
+}
+
+void tell_what_is_next(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
+                       const Place& place) {
+  const std::string list = relative(folders, place.list), number = step.number();
+  fmt::print("\nNext:\n");
+  if (!options.spelling) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
+  if (!options.spelling && !options.variant)
+    fmt::print("  name it in the \"rejects\" of a case in tests/cases/{}/cases.json\n  {} --spelling --begin\n",
+               step.name, command(step, options));
+  if (!options.variant) fmt::print("  ./atelier reference {}\n", number);
+  fmt::print("  ./atelier audit {}\n", number);
+}
+
+int take(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options, const fs::path& folder) {
+  const Place place = place_of(folders, step, options);
+  if (fs::exists(place.patch))
+    throw Error(
+        fmt::format("{}: is there already; take another name, or remove it and its entry", place.patch.string()));
+  if (!fs::exists(folder))
+    throw Error(
+        fmt::format("{}: there is no such folder; {} makes it", folder.string(), command(step, options, " --begin")));
+  const std::string patch = patch_between(sources_of(folders.solutions() / step.name), sources_of(folder));
+  if (patch.empty())
+    throw Error(fmt::format("{}: is the solution as it is; make the {} there first", folder.string(),
+                            options.variant ? "variant" : "mistake"));
+  const std::string text = fs::exists(place.list) ? read_file(place.list, 1 << 20) : std::string();
+  const std::string file = place.list.string();
+  const std::string list = options.spelling  ? with_spelling(text, options.name, file)
+                           : options.variant ? with_entry(text, variant_entry(options.name), file)
+                                             : with_entry(text, mistake_entry(options.name), file);
+  write_file(place.patch, patch);
+  write_file(place.list, list);
+  if (options.from.empty()) fs::remove_all(folder);  // all of it is in the patch
+  fmt::print("{}\n{}\n", relative(folders, place.patch), relative(folders, place.list));
+  tell_what_is_next(folders, step, options, place);
+  return exit_ok;
+}
+
+/// The patches of a step, mistakes before variants.
+std::vector<fs::path> patches_of(const ProjectFolders& folders, const CourseStep& step) {
+  std::vector<fs::path> patches;
+  for (const fs::path& folder : {folders.mistakes() / step.name, folders.variants() / step.name}) {
+    const std::size_t before = patches.size();
+    std::error_code missing;
+    for (const auto& entry : fs::directory_iterator(folder, missing))
+      if (entry.path().extension() == ".patch") patches.push_back(entry.path());
+    std::sort(patches.begin() + std::ptrdiff_t(before), patches.end());
+  }
+  return patches;
+}
+
+int rebase(const ProjectFolders& folders, const CourseStep& step, const std::string& revision) {
+  using State = Renewed::State;
+  const Sources before = sources_at(folders.root, revision, "solutions/" + step.name);
+  const Sources now = sources_of(folders.solutions() / step.name);
+  int renewed = 0, left = 0;
+  const std::vector<fs::path> patches = patches_of(folders, step);
+  for (const fs::path& patch : patches) {
+    const Renewed made = renewed_patch(patch, before, now);
+    const std::string name = relative(folders, patch);
+    switch (made.state) {
+      case State::as_it_was:
+        continue;
+      case State::renewed:
+        write_file(patch, made.text);
+        ++renewed;
+        fmt::print("{}\n", name);
+        continue;
+      case State::conflict:
+        fmt::print("! {}: the solution has changed in the same lines; make it again\n", name);
+        break;
+      case State::lost:
+        fmt::print("! {}: the solution now does the same; remove it, or make it again\n", name);
+        break;
+      case State::not_on_before:
+        fmt::print("! {}: does not apply to the solution of {}\n", name, revision);
+        break;
+    }
+    ++left;
+  }
+  fmt::print("{} patches: {} renewed, {} as they were, {} left for you\n", patches.size(), renewed,
+             int(patches.size()) - renewed - left, left);
+  if (renewed > 0) fmt::print("Next:\n  ./atelier reference {0}\n  ./atelier audit {0}\n", step.number());
+  return left == 0 ? exit_ok : exit_failed;
+}
+
+}  // namespace
+
+int run_mistake(const MistakeOptions& options) {
+  const ProjectFolders folders = project_folders();
+  const CourseStep step = resolve_step(read_course(folders.step_flags()), options.step);
+  if (!options.rebase.empty()) {
+    if (!options.name.empty()) throw Error("mistake --rebase renews all patches of a step: leave the name out");
+    return rebase(folders, step, options.rebase);
+  }
+  check_name(options);
+  const fs::path folder = options.from.empty() ? folders.out() / "mistake" / step.name : fs::absolute(options.from);
+  return options.begin ? begin(folders, step, options, folder) : take(folders, step, options, folder);
+}
+
+}  // namespace atelier

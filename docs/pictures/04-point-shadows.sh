@@ -1,0 +1,1 @@
+draw --scene lantern --set view.turn=30

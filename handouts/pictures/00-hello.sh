@@ -1,0 +1,1 @@
+draw 00-triangle $step && single 00-triangle

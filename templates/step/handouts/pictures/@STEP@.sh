@@ -1,0 +1,1 @@
+draw @NUMBER@-posts $step --scene posts && single @NUMBER@-posts

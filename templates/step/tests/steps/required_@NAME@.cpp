@@ -1,0 +1,17 @@
+// Only the air that a scene requires.
+#include "catch.hpp"
+#include "drawn.hpp"
+
+using namespace atelier::test;
+
+TEST_CASE("air costs no pass and no memory, and nothing at all where it is clear", "[required][@STEP@]") {
+  check_costs("@STEP@", {
+      {"air", picture("posts"), {{"passes", 1}, {"texture_sources", 0}, {"target_bytes", picture_bytes}}},
+      {"a picture of normals asks for no air", picture("posts", {}, "normal"), {{"passes", 1}, {"lights", 1}}},
+  });
+  const auto all = drawn("@STEP@", {picture("posts", {{"@NAME@.half_distance", 0.0}}),
+                                 picture("posts", {{"@NAME@.half_distance", 0.0}, {"@NAME@.pieces", 4}}),
+                                 picture("posts", {{"@NAME@.pieces", 4}})});
+  CHECK(pixels_apart(all[0].picture, all[1].picture) == 0);
+  CHECK(pixels_apart(all[0].picture, all[2].picture) > 0);
+}
