@@ -69,6 +69,15 @@ std::vector<SettingSpec> view_settings() {
   };
 }
 
+SettingSpec draw_constants_setting() {
+  return {.name = "draw.constants",
+          .fallback = std::string("uniforms"),
+          .choices = {"uniforms", "varyings"},
+          .help =
+              "how numbers that are the same for a whole draw reach its pixels; varyings: cheaper for each pixel "
+              "where the driver fetches uniforms for every one (without a GPU), dearer for each triangle"};
+}
+
 SettingSpec chain_format_setting() {
   return {.name = "chain.format",
           .fallback = std::string("frame"),
@@ -81,6 +90,7 @@ SceneProgram::SceneProgram(SceneStep step) : step_(std::move(step)) {
   for (const NamedScene& scene : step_.scenes) description_.scenes.push_back(scene.name);
   for (const auto& group : step_.settings)
     description_.settings.insert(description_.settings.end(), group.begin(), group.end());
+  description_.settings.push_back(draw_constants_setting());
   for (SettingSpec& spec : frame_settings()) description_.settings.push_back(std::move(spec));
   description_.outputs = {{"colour", Encoding::linear, "what is seen"}};
   for (const OutputSpec& output : step_.outputs) description_.outputs.push_back(output);
@@ -102,7 +112,8 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene(step_.scenes, scene, settings);
   boxes_.clear();
-  renderer_->configure(settings, chain_format(description_, settings));
+  renderer_->configure(settings, {.chain_format = chain_format(description_, settings),
+                                  .constants_as_varyings = settings.choice("draw.constants") == "varyings"});
   renderer_->prepare(scene_);
   loaded_ = std::move(wanted);
 }

@@ -20,7 +20,7 @@ struct SceneStep {
   std::string title;  ///< "Transforms and vertex buffers"
   SceneTable scenes;
   std::vector<std::vector<SettingSpec>>
-      settings;                     ///< group by group, in the order of the panel; the frame's own follow
+      settings;  ///< group by group, in the order of the panel; "draw.constants" and the frame's own follow
   std::vector<OutputSpec> outputs;  ///< beside "colour" and the renderer's own
   std::map<std::string, Probe> probes;
   TransformFunctions transforms;
@@ -62,6 +62,9 @@ class SceneProgram : public StepProgram {
 /// "camera.fit_depth", "draw.cull". A program that lists them gets their effect. One that does not leaves out what is
 /// outside the view: it stands on matrices that are right, while step 01 must show what wrong ones do.
 std::vector<SettingSpec> view_settings();
+
+/// "draw.constants": uniforms, or varyings for what all pixels of a draw read. Every scene program has it.
+SettingSpec draw_constants_setting();
 
 /// "chain.format": how pictures between the passes of a chain are stored. A program that does not list it stores them
 /// as the picture itself.

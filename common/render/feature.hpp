@@ -16,6 +16,7 @@
 #include "render/binder.hpp"
 #include "render/chain.hpp"
 #include "render/counts.hpp"
+#include "render/draw_constants.hpp"
 #include "render/scene_painter.hpp"
 #include "render/slots.hpp"
 #include "render/view.hpp"
@@ -89,6 +90,10 @@ class Feature {
   /// Intermediates that it can show: output name to a GLSL expression of type vec3 over `Surface surface`
   /// and `shaded`, the light that leaves it when all features have had their say.
   virtual std::map<std::string, std::string> outputs() const { return {}; }
+
+  /// Uniforms of its GLSL for which it is worth while to be handed over as varyings where that is asked for
+  /// (RenderOptions): those that every pixel reads, the most important first.
+  virtual std::vector<DrawConstant> draw_constants() const { return {}; }
 
   /// Sets what is the same for all draws of a view with one program: called once for draws that follow each other. May
   /// make no textures: one that is made takes the place of one that is bound.

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <tuple>
 
 #include "gl/debug.hpp"
+#include "gl/query.hpp"
 
 namespace atelier {
 
@@ -41,7 +43,11 @@ bool ChainKey::operator<(const ChainKey& other) const {
 }
 
 Programs::Programs(Gl& gl, Implementations implementations, std::string transforms_glsl)
-    : gl_(gl), implementations_(std::move(implementations)), transforms_glsl_(std::move(transforms_glsl)) {}
+    : gl_(gl),
+      implementations_(std::move(implementations)),
+      transforms_glsl_(std::move(transforms_glsl)),
+      varyings_(std::min({integer_of(gl, GL_MAX_VARYING_COMPONENTS), integer_of(gl, GL_MAX_VERTEX_OUTPUT_COMPONENTS),
+                          integer_of(gl, GL_MAX_FRAGMENT_INPUT_COMPONENTS)})) {}
 
 std::filesystem::path Programs::find(const std::string& name) const {
   if (const auto found = implementations_.find(name); !found.empty()) return found;
@@ -51,7 +57,7 @@ std::filesystem::path Programs::find(const std::string& name) const {
 
 Program Programs::build(const SurfaceKey& key) const {
   const SurfaceSources sources =
-      assemble_surface([this](const std::string& name) { return find(name); }, transforms_glsl_, key);
+      assemble_surface([this](const std::string& name) { return find(name); }, transforms_glsl_, key, varyings_);
   return linked(gl_, "surface: " + key.output, sources.vertex, sources.fragment);
 }
 

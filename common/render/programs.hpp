@@ -64,6 +64,7 @@ class Programs {
   Gl& gl_;
   Implementations implementations_;
   std::string transforms_glsl_;
+  int varyings_;  ///< how many components the driver has room for
   std::map<SurfaceKey, Program> surfaces_;
   std::map<PassSources, Program> passes_;
   std::map<ChainKey, Program> chain_;

@@ -35,8 +35,8 @@ Renderer::Renderer(Gl& gl, Implementations implementations, TransformFunctions t
       pool_(gl),
       chain_(gl, programs_, pool_, chain_functions_) {}
 
-void Renderer::configure(const Settings& settings, std::optional<ColourFormat> chain_format) {
-  chain_format_ = chain_format;
+void Renderer::configure(const Settings& settings, const RenderOptions& options) {
+  options_ = options;
   for (auto& feature : features_) feature->configure(settings);
   variants_.clear();
 }
@@ -107,6 +107,7 @@ SurfaceKey Renderer::key_for(const View& view, const Node& node, const ViewKind&
   }
   if (scene_->materials[std::size_t(node.material)].two_sided) key.structure["TWO_SIDED"] = std::string("1");
   if (kind.clipped) key.structure["CLIP_PLANE"] = std::string("1");
+  if (options_.constants_as_varyings) key.structure[constants_as_varyings] = std::string("1");
   if (kind.marks_non_finite) key.structure[marks_non_finite] = std::string("1");
   return key;
 }
@@ -297,7 +298,7 @@ void Renderer::draw_with_chain(const View& view, const Target& target) {
     draw_scene(drawn, into);
   };
   const std::vector<ChainPass> active = passes_to_run(all, view.output);
-  if (!active.empty()) return chain_.run(active, chain_format_.value_or(target.spec().colour), target, draw);
+  if (!active.empty()) return chain_.run(active, options_.chain_format.value_or(target.spec().colour), target, draw);
   draw(has_pass(all, view.output) ? "colour" : view.output, target);
 }
 

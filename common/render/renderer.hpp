@@ -16,6 +16,12 @@
 
 namespace atelier {
 
+/// What is asked of the drawing itself, and not of a feature.
+struct RenderOptions {
+  std::optional<ColourFormat> chain_format = {};  ///< of pictures between two passes; none: the target's
+  bool constants_as_varyings = false;             ///< not as uniforms: DrawConstant
+};
+
 class Renderer : private ScenePainter {
  public:
   /// Shaders are found along `implementations`, then among the renderer's own. `chain` is what runs the passes of
@@ -23,8 +29,8 @@ class Renderer : private ScenePainter {
   Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
            std::vector<std::unique_ptr<Feature>> features, ChainFunctions chain = {});
 
-  /// Hands the settings to every feature. `chain_format` is that of pictures between two passes; none: the target's.
-  void configure(const Settings& settings, std::optional<ColourFormat> chain_format = {});
+  /// Hands the settings to every feature.
+  void configure(const Settings& settings, const RenderOptions& options = {});
 
   /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
   void prepare(const Scene& scene);
@@ -97,7 +103,7 @@ class Renderer : private ScenePainter {
   Programs programs_;
   TargetPool pool_;
   ChainRunner chain_;
-  std::optional<ColourFormat> chain_format_;
+  RenderOptions options_;
 
   const Scene* scene_ = nullptr;
   std::vector<Light> lights_;         ///< of the scene, and of features

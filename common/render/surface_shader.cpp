@@ -211,14 +211,26 @@ constexpr const char* surface_statement =
     "  surface.tangent_world = v_tangent_world;\n"
     "#endif\n";
 
+/// What the fragment stage is handed as varyings in place of uniforms. Drivers may give each varying of the surface
+/// four components, whatever its type.
+std::vector<DrawConstant> handed_constants(const SurfaceKey& key, int varyings) {
+  if (!key.structure.contains(constants_as_varyings) || lit_per_vertex(key)) return {};
+  std::vector<DrawConstant> constants = {{"vec3", "u_eye_world"}};
+  for (const Feature* feature : key.features)
+    for (DrawConstant& constant : feature->draw_constants()) constants.push_back(std::move(constant));
+  const int taken = 4 + int(key.structure.count("TANGENTS") + key.structure.count("CLIP_PLANE"));  // with gl_Position
+  return constants_that_fit(constants, key.structure, varyings / 4 * 4 - 4 * taken);
+}
+
 /// Step 01's functions place the corner; Gouraud shading also lights it here.
-std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& key) {
+std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& key, const HandingOver& constants) {
   const bool lights = lit_per_vertex(key), clips = key.structure.contains("CLIP_PLANE");
   const bool tangents = key.structure.contains("TANGENTS");
   std::string text = vertex_text + include_line(transforms_glsl);
   if (tangents) text += "layout(location = 3) in vec4 a_tangent;\nout vec4 v_tangent_world;\n";
   if (clips) text += "uniform vec4 u_clip_plane;\n";
   if (lights) text += "out vec3 v_shaded;\n" + features_text(key, lighting_slots);
+  text += constants.vertex_declarations;
   text +=
       "void main() {\n"
       "  v_position_world = world_position(u_model, a_position);\n"
@@ -233,12 +245,12 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
         "a_tangent.w);\n";
   if (clips) text += "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(v_position_world, 1.0));\n";
   if (lights) text += surface_statement + lighting_statements(key) + "  v_shaded = shaded;\n";
-  return text + "}\n";
+  return text + constants.vertex_statements + "}\n";
 }
 
 /// Gather the surface, let the features change and shade it, write what was asked for.
-std::string fragment_stage(const SurfaceKey& key) {
-  std::string text = fragment_text;
+std::string fragment_stage(const SurfaceKey& key, const HandingOver& constants) {
+  std::string text = constants.fragment_declarations + fragment_text;
   const bool lit = lit_per_vertex(key);
   if (lit) text += "in vec3 v_shaded;\n";
   if (key.structure.contains("TANGENTS")) text += "in vec4 v_tangent_world;\n";
@@ -265,14 +277,19 @@ std::string fragment_stage(const SurfaceKey& key) {
 
 }  // namespace
 
-SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key) {
+SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key,
+                                int varyings) {
+  const HandingOver constants = hand_over(handed_constants(key, varyings), key.structure, vertex_text);
   Defines structure = key.structure;
   if (knows_visibility(key)) structure["VISIBILITY"] = "1";
   // The vertex stage is told of the structure only where it lights: one text for all other variants, so that the driver
   // compiles it once (Mesa keys its compiled code by the text's hash).
-  return {assemble_shader_text(find, vertex_stage(transforms_glsl, key), "surface vertex shader",
-                               lit_per_vertex(key) ? structure : Defines{}),
-          assemble_shader_text(find, fragment_stage(key), "surface fragment shader", structure)};
+  SurfaceSources sources{
+      assemble_shader_text(find, vertex_stage(transforms_glsl, key, constants), "surface vertex shader",
+                           lit_per_vertex(key) ? structure : Defines{}),
+      assemble_shader_text(find, fragment_stage(key, constants), "surface fragment shader", structure)};
+  make_global(sources.fragment, constants);
+  return sources;
 }
 
 }  // namespace atelier

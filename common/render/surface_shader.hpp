@@ -25,9 +25,15 @@ struct SurfaceSources {
   ShaderSource vertex, fragment;
 };
 
-/// `transforms_glsl` is the include behind TransformFunctions::glsl. Throws Error for an output that neither the
-/// renderer nor a wanted feature offers.
-SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key);
+/// What every driver has room for between the vertex and the fragment stage, in components.
+inline constexpr int guaranteed_varyings = 60;
+
+/// `transforms_glsl` is the include behind TransformFunctions::glsl, `varyings` how many components the driver has room
+/// for: where the key asks for it, so many draw constants as fit beside the rest are handed over as varyings, unless
+/// light is worked out at the corners. Throws Error for an output that neither the renderer nor a wanted feature
+/// offers.
+SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key,
+                                int varyings = guaranteed_varyings);
 
 /// What stands before the vertex stage of a pass (PassSources): attributes, matrices, and step 01's functions.
 std::string pass_vertex_text(const std::string& transforms_glsl);

@@ -190,6 +190,23 @@ std::map<std::string, std::string> LitSurface::outputs() const {
           {"encoded", "srgb_encode(shaded)"}};
 }
 
+std::vector<DrawConstant> LitSurface::draw_constants() const {
+  return {
+      {"vec3", "u_diffuse"},
+      {"vec3", "u_specular"},
+      {"float", "u_exponent"},
+      {"vec3", "u_ambient"},
+      {"DirectionalLight", "u_directional_lights", "DIRECTIONAL_LIGHTS", {{"vec3", "direction"}, {"vec3", "colour"}}},
+      {"SpotLight",
+       "u_spot_lights",
+       "SPOT_LIGHTS",
+       {{"vec3", "position"}, {"vec3", "direction"}, {"vec3", "colour"}, {"vec3", "attenuation"}, {"vec2", "cosines"}}},
+      {"PointLight",
+       "u_point_lights",
+       "POINT_LIGHTS",
+       {{"vec3", "position"}, {"vec3", "colour"}, {"vec3", "attenuation"}}}};
+}
+
 void LitSurface::bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) {
   binder.set("u_ambient", scene.ambient);
   const auto place = [&](const Light& light) { return glm::vec3(light.position - viewpoint.origin); };

@@ -1,7 +1,8 @@
 // Gathers the material of a surface point and hands it to the student's `shade`. Given.
 #include "02-blinn-phong/blinn_phong.glsl"
 
-uniform vec3 u_diffuse, u_specular;
+uniform vec3 u_diffuse;
+uniform vec3 u_specular;
 uniform float u_exponent;
 #ifdef EMISSION
 uniform vec3 u_emission;

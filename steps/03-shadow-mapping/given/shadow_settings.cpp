@@ -146,4 +146,8 @@ void bind_bias(Binder& binder, const ShadowSettings& s) {
   binder.set("u_depth_step", 1e-6f + (s.format == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
 }
 
+std::vector<DrawConstant> bias_constants() {
+  return {{"float", "u_bias"}, {"float", "u_depth_step"}};
+}
+
 }  // namespace atelier

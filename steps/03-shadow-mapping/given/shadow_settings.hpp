@@ -50,7 +50,8 @@ int lookups_in_a_map(const ShadowSettings& settings);
 
 /// What shaders must know to look up: #defines of bias and filter.
 Defines filter_structure(const ShadowSettings& settings);
-/// The uniforms of shadows.glsl that belong to no light.
+/// The uniforms of shadows.glsl that belong to no light: their values, and that they are constant over a draw.
 void bind_bias(Binder& binder, const ShadowSettings& settings);
+std::vector<DrawConstant> bias_constants();
 
 }  // namespace atelier

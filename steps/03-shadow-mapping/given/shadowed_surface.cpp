@@ -282,6 +282,23 @@ void ShadowedSurface::count(SceneCounts& counts) const {
   if (has_room() && shown_) counts.lookups += std::int64_t(frame_.maps.size()) * lookups_in_a_map(settings_);
 }
 
+std::vector<DrawConstant> ShadowedSurface::draw_constants() const {
+  std::vector<DrawConstant> constants = bias_constants();
+  constants.push_back({"ShadowLight",
+                       "u_shadow_lights",
+                       "SHADOW_LIGHTS",
+                       {{"mat4", "world_to_map"},
+                        {"vec3", "eye"},
+                        {"vec3", "direction"},
+                        {"float", "half_width"},
+                        {"float", "near"},
+                        {"float", "far"},
+                        {"float", "width"},
+                        {"bool", "sun"},
+                        {"int", "layer"}}});
+  return constants;
+}
+
 void ShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) {
   for (std::size_t i = 0; i < frame_.maps.size(); ++i) {
     const LightFrustum& frustum = frame_.maps[i].frustum;

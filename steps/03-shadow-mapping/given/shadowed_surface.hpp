@@ -58,6 +58,7 @@ class ShadowedSurface : public Feature {
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
+  std::vector<DrawConstant> draw_constants() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void count(SceneCounts& counts) const override;
 

@@ -277,6 +277,13 @@ std::map<std::string, std::string> PointShadowedSurface::outputs() const {
   return {{"shadow_factor", "shown_cube_factor(surface)"}, {"shadow_coordinate", "shown_cube_coordinate(surface)"}};
 }
 
+std::vector<DrawConstant> PointShadowedSurface::draw_constants() const {
+  std::vector<DrawConstant> constants = bias_constants();
+  constants.push_back(
+      {"CubeLight", "u_cube_lights", "CUBES", {{"vec3", "position"}, {"float", "far"}, {"int", "cube"}}});
+  return constants;
+}
+
 void PointShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoint&) {
   bind_bias(binder, settings_);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {

@@ -43,9 +43,10 @@ TEST_CASE("a scene program has the settings of the frame behind its own", "[scen
   const test::FakeStep step;
   std::vector<std::string> names;
   for (const SettingSpec& spec : step.description().settings) names.push_back(spec.name);
-  REQUIRE(names.size() > 4);
-  CHECK(std::vector<std::string>(names.end() - 4, names.end()) ==
-        std::vector<std::string>{"tint.glow", "frame.format", "frame.samples", "frame.supersampling"});
+  REQUIRE(names.size() > 5);
+  CHECK(
+      std::vector<std::string>(names.end() - 5, names.end()) ==
+      std::vector<std::string>{"tint.glow", "draw.constants", "frame.format", "frame.samples", "frame.supersampling"});
 }
 
 TEST_CASE("the view settings have their effect", "[scene_program]") {

@@ -60,12 +60,12 @@ struct Place {
     settings = Settings(std::move(more));
   }
   /// Takes these features from now on.
-  void open(FeatureList features) {
+  void open(FeatureList features, const RenderOptions& options = {}) {
     const std::filesystem::path root = ATELIER_SOURCE_DIR;
     renderer = std::make_unique<Renderer>(
         context->gl(), Implementations({{folder.path(), ""}, {root / "solutions", ""}, {root / "steps", ""}}),
         transform_functions(), features.take());
-    renderer->configure(settings);
+    renderer->configure(settings, options);
   }
   Image draw(const Scene& scene, const char* output = "colour") {
     renderer->prepare(scene);

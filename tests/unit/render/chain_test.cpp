@@ -166,7 +166,7 @@ TEST_CASE("pictures between passes have the format that is asked for", "[chain]"
   } rows[] = {{ColourFormat::rgba32f, 4, 1e-7}, {ColourFormat::rgba16f, 4, 0.001}, {ColourFormat::srgb8, 1, 0.007}};
   for (const auto& row : rows) {
     INFO(int(row.format));
-    stage.renderer->configure(Settings(), row.format);
+    stage.renderer->configure(Settings(), {.chain_format = row.format});
     const Rgba pixel = stage.middle();
     CHECK(pixel.r == row.bright);
     CHECK(pixel.g == Approx(0.3).epsilon(row.error));

@@ -16,6 +16,7 @@ struct Piece : Feature {
   std::function<Need(const Material&)> wants = [](const Material&) { return Need{.wanted = true}; };
   std::map<Slot, SlotCode> filled;
   std::map<std::string, std::string> shown;
+  std::vector<DrawConstant> constants;
   std::function<void(Binder&, const Viewpoint&)> bind = [](Binder&, const Viewpoint&) {};
   std::vector<ChainPass> chain;
   std::optional<glm::vec3> behind;
@@ -28,6 +29,7 @@ struct Piece : Feature {
   }
   std::map<Slot, SlotCode> slots() const override { return filled; }
   std::map<std::string, std::string> outputs() const override { return shown; }
+  std::vector<DrawConstant> draw_constants() const override { return constants; }
   std::vector<ChainPass> passes(const Scene&, const View&) const override { return chain; }
   std::optional<glm::vec3> background(const Scene&, const View&) const override { return behind; }
   void bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) override {
