@@ -1,6 +1,6 @@
 // What has one value for all of a draw, and how it comes to the fragment stage: as a uniform, or through the vertex
-// stage as a varying that does not vary. llvmpipe fetches each number of a uniform anew for every few pixels, and a
-// flat varying once a triangle; each costs a little for every corner and triangle, and a driver has room for few.
+// stage as a varying that does not vary. llvmpipe fetches each number of a uniform anew for every few pixels, which a
+// flat varying spares it; but each costs a little for every corner and triangle, and a driver has room for few.
 #pragma once
 
 #include <span>

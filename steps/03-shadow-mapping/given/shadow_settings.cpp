@@ -153,4 +153,8 @@ std::vector<DrawConstant> bias_constants() {
   return {{"float", "u_bias"}, {"float", "u_depth_step"}};
 }
 
+std::vector<DrawConstant> bias_constants() {
+  return {{"float", "u_bias"}, {"float", "u_depth_step"}};
+}
+
 }  // namespace atelier
