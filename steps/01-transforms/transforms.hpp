@@ -1,5 +1,5 @@
-// 01-transforms: the contract. What you write stands in transforms.cpp and transforms.glsl; what each function must do
-// stands here. The handout derives the formulas.
+// 01-transforms: the contract of transforms.cpp. The contract of each function of transforms.glsl is the comment above
+// it in that file. The handout derives the formulas.
 //
 // Conventions of the whole course
 //   Points and directions are columns; matrices multiply from the left: p' = M p. glm stores columns: m[3] is the
@@ -98,8 +98,8 @@ MeshBuffers upload_mesh(Gl& gl, std::span<const Vertex> vertices, std::span<cons
 Mesh cylinder_wall(float radius, float height, int segments);
 
 /// A flat rectangle centre +- half_u +- half_v with the unit normal along half_u x half_v: four vertices in the
-/// order (-u-v), (+u-v), (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the diagonal from the first to
-/// the third. The hall's floor and ceiling are such squares: the wall hides their corners.
+/// order (-u-v), (+u-v), (+u+v), (-u+v) with texcoords (0,0), (1,0), (1,1), (0,1), two triangles that share the
+/// diagonal from the first to the third. The hall's floor and ceiling are such squares: the wall hides their corners.
 Mesh rectangle(const glm::vec3& centre, const glm::vec3& half_u, const glm::vec3& half_v);
 
 /// From then on triangles are drawn as edges (on), or filled again (off).
