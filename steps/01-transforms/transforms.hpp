@@ -1,5 +1,5 @@
-// 01-transforms: the contract. You write transforms.cpp and transforms.glsl; this file says what each function must do.
-// The handout derives the formulas.
+// 01-transforms: the contract of transforms.cpp. The contract of each function of transforms.glsl is the comment above
+// it in that file. The handout derives the formulas.
 //
 // Conventions of the whole course
 //   Points and directions are column vectors; matrices multiply from the left: p' = M p. glm stores columns: m[3] is
