@@ -150,11 +150,7 @@ void bind_bias(Binder& binder, const ShadowSettings& s) {
 }
 
 std::vector<DrawConstant> bias_constants() {
-  return {{"float", "u_bias"}, {"float", "u_depth_step"}};
-}
-
-std::vector<DrawConstant> bias_constants() {
-  return {{"float", "u_bias"}, {"float", "u_depth_step"}};
+  return {{"float", "u_bias"}, {"float", "u_depth_epsilon"}};
 }
 
 }  // namespace atelier

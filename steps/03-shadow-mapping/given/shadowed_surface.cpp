@@ -294,7 +294,7 @@ std::vector<DrawConstant> ShadowedSurface::draw_constants() const {
                         {"float", "near"},
                         {"float", "far"},
                         {"float", "width"},
-                        {"bool", "sun"},
+                        {"bool", "directional"},
                         {"int", "layer"}}});
   return constants;
 }
