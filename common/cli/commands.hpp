@@ -122,6 +122,16 @@ struct MistakeOptions {
 };
 int run_mistake(const MistakeOptions& options);
 
+struct MutateOptions {
+  std::vector<std::string> steps;
+  std::uint64_t seed = 1;
+  int count = 150;          ///< of mutants that build, or of variants, a step
+  bool preserving = false;  ///< other forms of the same meaning, which must keep all points
+  bool last_bits = false;   ///< earlier steps' results moved by a unit in the last place: all points must stay
+  bool json = false;
+};
+int run_mutate(const MutateOptions& options);
+
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere

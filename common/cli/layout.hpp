@@ -44,6 +44,10 @@ struct ProjectFolders {
   std::filesystem::path hints_file(const std::string& step) const { return cases() / step / "hints.json"; }
   std::filesystem::path mistakes_file(const std::string& step) const { return mistakes() / step / "mistakes.json"; }
   std::filesystem::path variants_file(const std::string& step) const { return variants() / step / "variants.json"; }
+  /// Mutants that are known to change nothing (cli/author/mutant_list.hpp).
+  std::filesystem::path equivalents_file(const std::string& step) const {
+    return root / "tests" / "mutants" / step / "equivalent.json";
+  }
 
   std::filesystem::path program(const std::string& step) const { return build / "bin" / step; }
   std::filesystem::path step_flags() const { return build / "step_flags.json"; }

@@ -80,6 +80,7 @@ struct AllOptions {
   NewStepOptions new_step;
   TablesOptions tables;
   MistakeOptions mistake;
+  MutateOptions mutate;
   BenchOptions bench;
   MeasureOptions measure;
   StabilityOptions stability;
@@ -205,6 +206,23 @@ void describe_stability(Interface& interface, StabilityOptions& options) {
   add_json(stability, options.json);
 }
 
+void describe_mutate(Interface& interface, MutateOptions& options) {
+  CLI::App* mutate =
+      interface.add("mutate", "Change solutions a little: each change must lose points", options, run_mutate);
+  add_steps(mutate, options.steps);
+  mutate->add_option("--seed", options.seed, "Draws which changes are tried")->capture_default_str();
+  mutate->add_option("--count", options.count, "Changes a step that build")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  auto* preserving = mutate->add_flag("--preserving", options.preserving,
+                                      "Other forms of the same meaning: each must keep all points");
+  mutate
+      ->add_flag("--last-bits", options.last_bits,
+                 "Earlier steps' results moved by a unit in the last place: all points must stay")
+      ->excludes(preserving);
+  add_json(mutate, options.json);
+}
+
 void describe_mistake(Interface& interface, MistakeOptions& options) {
   CLI::App* mistake =
       interface.add("mistake", "Make a known mistake of an edited copy of the solution", options, run_mistake);
@@ -226,6 +244,7 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   new_step->add_option("--title", options.new_step.title, "Its title; without it: made of the name");
 
   describe_mistake(interface, options.mistake);
+  describe_mutate(interface, options.mutate);
 
   CLI::App* tables = interface.add("tables", "Write the rows of all steps in README.md and handouts/README.md",
                                    options.tables, run_tables);

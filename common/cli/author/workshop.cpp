@@ -78,6 +78,24 @@ Version Workshop::patched(const std::string& name, const fs::path& patch) const 
   });
 }
 
+Version Workshop::changed(const std::string& name, const std::map<std::string, std::string>& files) const {
+  return make(name, [&](const fs::path& folder) {
+    judge::take_step_files(flags_, step_.name, folders_.solutions() / step_.name, folder);
+    for (const auto& [file, text] : files) write_file(folder / file, text);
+  });
+}
+
+judge::RunSettings Workshop::settings(const Version& version, const std::map<std::string, Version>& earlier) const {
+  judge::RunSettings settings = this->settings(version);
+  std::vector<Implementations::Root> roots;
+  for (const auto& [step, other] : earlier)
+    for (const fs::path& folder : {other.code.libraries, other.code.sources})
+      if (fs::is_directory(folder)) roots.push_back({folder, step});
+  roots.insert(roots.end(), settings.implementations.roots().begin(), settings.implementations.roots().end());
+  settings.implementations = Implementations(std::move(roots));
+  return settings;
+}
+
 judge::RunSettings Workshop::settings(const Version& version) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step_.name);

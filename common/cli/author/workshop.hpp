@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,14 @@ class Workshop {
   /// The solution with a patch. A patch that does not apply gives a version that is not built, and says why.
   Version patched(const std::string& name, const std::filesystem::path& patch) const;
 
+  /// The solution with other texts in the place of these files, by their names.
+  Version changed(const std::string& name, const std::map<std::string, std::string>& files) const;
+
   /// How a version's program is run: one worker, so that several versions can run side by side; earlier steps are the
   /// solution's.
   judge::RunSettings settings(const Version& version) const;
+  /// The same, with other code behind earlier steps: a version of each, by the step's name.
+  judge::RunSettings settings(const Version& version, const std::map<std::string, Version>& earlier) const;
 
   /// The answers of a version to these cases.
   std::vector<judge::Answer> answers(const Version& version, const std::vector<judge::JudgedCase>& cases) const;
