@@ -60,8 +60,9 @@ int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOp
 void tell_what_is_next(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
                        const Place& place) {
   const std::string list = relative(folders, place.list), number = step.number();
+  const bool unwritten = read_file(place.list, 1 << 20).find(to_be_written) != std::string::npos;
   fmt::print("\nNext:\n");
-  if (!options.spelling) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
+  if (unwritten) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
   if (!options.spelling && !options.variant)
     fmt::print("  name it in the \"rejects\" of a case in tests/cases/{}/cases.json\n  {} --spelling --begin\n",
                step.name, command(step, options));
