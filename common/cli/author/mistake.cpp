@@ -60,8 +60,9 @@ int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOp
 void tell_what_is_next(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
                        const Place& place) {
   const std::string list = relative(folders, place.list), number = step.number();
+  const bool unwritten = read_file(place.list, 1 << 20).find(to_be_written) != std::string::npos;
   fmt::print("\nNext:\n");
-  if (!options.spelling) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
+  if (unwritten) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
   if (!options.spelling && !options.variant)
     fmt::print("  name it in the \"rejects\" of a case in tests/cases/{}/cases.json\n  {} --spelling --begin\n",
                step.name, command(step, options));
@@ -69,11 +70,20 @@ void tell_what_is_next(const ProjectFolders& folders, const CourseStep& step, co
   fmt::print("  ./atelier audit {}\n", number);
 }
 
+/// The list with the patch in it: as it is where it has it already, because the patch is made again.
+std::string listed(const Place& place, const MistakeOptions& options) {
+  const std::string text = fs::exists(place.list) ? read_file(place.list, 1 << 20) : std::string();
+  const std::string file = place.list.string();
+  if (text.find('"' + place.patch.filename().string() + '"') != text.npos) return text;
+  if (options.spelling) return with_spelling(text, options.name, file);
+  return with_entry(text, options.variant ? variant_entry(options.name) : mistake_entry(options.name), file);
+}
+
 int take(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options, const fs::path& folder) {
   const Place place = place_of(folders, step, options);
   if (fs::exists(place.patch))
-    throw Error(
-        fmt::format("{}: is there already; take another name, or remove it and its entry", place.patch.string()));
+    throw Error(fmt::format("{}: is there already; take another name, or remove this file to make it again",
+                            place.patch.string()));
   if (!fs::exists(folder))
     throw Error(
         fmt::format("{}: there is no such folder; {} makes it", folder.string(), command(step, options, " --begin")));
@@ -81,11 +91,7 @@ int take(const ProjectFolders& folders, const CourseStep& step, const MistakeOpt
   if (patch.empty())
     throw Error(fmt::format("{}: is the solution as it is; make the {} there first", folder.string(),
                             options.variant ? "variant" : "mistake"));
-  const std::string text = fs::exists(place.list) ? read_file(place.list, 1 << 20) : std::string();
-  const std::string file = place.list.string();
-  const std::string list = options.spelling  ? with_spelling(text, options.name, file)
-                           : options.variant ? with_entry(text, variant_entry(options.name), file)
-                                             : with_entry(text, mistake_entry(options.name), file);
+  const std::string list = listed(place, options);
   write_file(place.patch, patch);
   write_file(place.list, list);
   if (options.from.empty()) fs::remove_all(folder);  // all of it is in the patch
@@ -125,7 +131,7 @@ int rebase(const ProjectFolders& folders, const CourseStep& step, const std::str
         fmt::print("{}\n", name);
         continue;
       case State::conflict:
-        fmt::print("! {}: the solution has changed in the same lines; make it again\n", name);
+        fmt::print("! {}: the solution has changed in the same lines; remove it and make it again\n", name);
         break;
       case State::lost:
         fmt::print("! {}: the solution now does the same; remove it, or make it again\n", name);
