@@ -1,5 +1,5 @@
-# atelier_embed(TARGET FILE HEADER NAMESPACE SYMBOL): compiles the text of FILE into TARGET as the std::string_view SYMBOL,
-# which HEADER declares.
+# atelier_embed(TARGET FILE HEADER NAMESPACE SYMBOL): compiles the text of FILE into TARGET as the std::string_view
+# SYMBOL, which HEADER declares.
 function(atelier_embed target file header namespace symbol)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${symbol}.cpp)
   set(input ${CMAKE_CURRENT_SOURCE_DIR}/${file})

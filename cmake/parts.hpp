@@ -1,5 +1,5 @@
-// What most files of common/ include, precompiled once. Every file still includes what it uses: the debug preset goes
-// without precompiled headers, and finds what is missing.
+// The precompiled headers of common/. Every file still includes what it uses: the debug preset has no precompiled
+// headers and finds missing includes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +19,6 @@
 #include <string_view>
 #include <vector>
 
-// JSON's classes are compiled once, in common/base/json_classes.cpp, and not anew in each file that uses them.
+// The JSON classes are instantiated only once, in common/base/json_classes.cpp.
 extern template class nlohmann::basic_json<>;
 extern template class nlohmann::basic_json<nlohmann::ordered_map>;

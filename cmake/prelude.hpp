@@ -1,5 +1,5 @@
-// Included before every student's file, precompiled: what the contracts include anyway. No include guard: nothing
-// else includes it, and GCC warns of one in a file that it precompiles.
+// The precompiled header that is included before every student's file; the contracts include these headers anyway. No
+// include guard: nothing else includes it, and GCC warns of `#pragma once` in a precompiled file.
 
 #include <algorithm>
 #include <array>

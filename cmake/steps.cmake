@@ -4,12 +4,12 @@
 # FILES     what the student writes; the solution has the same names
 # USES      earlier steps whose functions are called or whose given code is used
 #
-# The contract is steps/NAME/*.hpp, what the student's files may include; the given code is all of steps/NAME/given/.
+# The contract is steps/NAME/*.hpp, which the student's files may include; the given code is steps/NAME/given/.
 #
-# Makes the executable NAME, the given program as a module that it loads, and, where solutions/NAME is there, the
-# solution's library, unless a release has brought it compiled: solutions/NAME/libstep.so. Students' own files are not
-# built here: the atelier command does that with the same flags (step_flags.json), so that what a student breaks stops
-# nothing else.
+# Makes the executable NAME and the given program as a module that it loads. If solutions/NAME exists, also the
+# solution's library, unless a release contains it already compiled (solutions/NAME/libstep.so). Students' files are not
+# built here: the atelier command builds them with the same flags (step_flags.json), so that their errors do not stop
+# the build.
 
 set(ATELIER_STUDENT_FLAGS -std=c++20 -O2 -g1 -fPIC -ffp-contract=off -Wall -Wextra -Wno-unused-parameter -DGLM_FORCE_SILENT_WARNINGS)
 if(ATELIER_SANITIZE)
@@ -20,7 +20,7 @@ if(ATELIER_MOLD)
   list(APPEND ATELIER_STUDENT_LINK -fuse-ld=mold)
 endif()
 
-# The precompiled header of students' files: a quarter of the time from an edit to a verdict.
+# The precompiled header of students' files; it saves a quarter of the time from an edit to a verdict.
 set(ATELIER_PRELUDE ${CMAKE_BINARY_DIR}/student/prelude.hpp)
 configure_file(${PROJECT_SOURCE_DIR}/cmake/prelude.hpp ${ATELIER_PRELUDE} COPYONLY)
 add_custom_command(
@@ -30,7 +30,8 @@ add_custom_command(
   DEPENDS ${ATELIER_PRELUDE} DEPFILE ${ATELIER_PRELUDE}.d VERBATIM COMMENT "Precompiling the students' prelude")
 add_custom_target(atelier_prelude ALL DEPENDS ${ATELIER_PRELUDE}.gch)
 
-# Given code that includes from a step which USES does not list would end in an undefined symbol: named here, by the build.
+# Checks that the given code includes files only from steps in USES; otherwise it would fail later with an undefined
+# symbol.
 function(atelier_check_uses name)
   set(stamp ${CMAKE_BINARY_DIR}/steps/${name}.uses)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/steps/${name}/given/*)
@@ -56,7 +57,7 @@ function(atelier_step name)
   cmake_parse_arguments(STEP "" "TITLE" "FILES;USES" ${ARGN})
   set(folder ${PROJECT_SOURCE_DIR}/steps/${name})
 
-  # Given code that later steps build on is compiled once, into a library; a later program takes from it what it needs.
+  # Compile the given code once, to a static library that later steps' programs link too.
   file(GLOB given CONFIGURE_DEPENDS ${folder}/given/*.cpp)
   set(program ${folder}/given/main.cpp)
   list(REMOVE_ITEM given ${program})
@@ -83,7 +84,7 @@ function(atelier_step name)
   endif()
   atelier_check_uses(${name} ${STEP_USES})
 
-  # Which of the steps have C++ of the student's, in the order of loading.
+  # The steps with C++ files of the student, in loading order.
   set(libraries "")
   foreach(step IN LISTS STEP_USES)
     if(step IN_LIST ATELIER_STEPS_WITH_CPP)
@@ -115,11 +116,11 @@ function(atelier_step name)
     target_include_directories(solution-${name} PRIVATE ${PROJECT_SOURCE_DIR}/steps ${folder})
     set_target_properties(solution-${name} PROPERTIES OUTPUT_NAME step
       LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/implementations/solutions/${name}
-      UNITY_BUILD OFF)  # as a student's files are compiled
+      UNITY_BUILD OFF)  # as for students' files
     add_dependencies(${name} solution-${name})
   endif()
 
-  # This step's lines of step_flags.json.
+  # This step's lines in step_flags.json.
   file(GLOB STEP_HEADERS CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/steps ${folder}/*.hpp)
   foreach(used IN LISTS STEP_USES)
     get_property(earlier GLOBAL PROPERTY ATELIER_HEADERS_${used})
@@ -133,7 +134,8 @@ function(atelier_step name)
   set_property(GLOBAL APPEND PROPERTY ATELIER_JSON_TITLES "    \"${name}\": \"${STEP_TITLE}\"")
 endfunction()
 
-# Writes BUILD/step_flags.json: how the atelier command builds students' files, and which files those are.
+# Writes BUILD/step_flags.json, which tells the atelier command which files students write and how to compile them.
+
 function(atelier_write_step_flags)
   set(compile ${ATELIER_STUDENT_FLAGS} -I${PROJECT_SOURCE_DIR}/common -I${PROJECT_SOURCE_DIR}/steps
               -include ${ATELIER_PRELUDE})

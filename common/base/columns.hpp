@@ -1,4 +1,4 @@
-// Text in columns of a terminal. Each character counts as one column: names and sentences of ours are narrow.
+// Text in columns of a terminal. Each code point counts as one column; the project prints no wide characters.
 #pragma once
 
 #include <string>
@@ -6,19 +6,20 @@
 
 namespace atelier {
 
-/// Columns that printable text takes.
+/// How many columns a printable text takes.
 int columns(std::string_view text);
 
-/// The text and spaces up to `width` columns; a longer one as it is.
+/// The text, filled with spaces up to `width` columns. A longer text is unchanged.
 std::string padded(std::string text, int width);
 
-/// The front of a text, at most `width` columns, "..." in place of what is left out.
+/// The beginning of a text, at most `width` columns; "..." marks a cut.
 std::string fitted(std::string_view text, int width);
 
-/// Words in lines of at most `width` columns, further lines indented; a longer word stands alone.
+/// Wraps words into lines of at most `width` columns and indents all lines but the first. A longer word gets its own
+/// line.
 std::string wrapped(std::string_view text, int width, int indent);
 
-/// Every line behind `indent`, and ended.
+/// Puts `indent` before every line; each line ends with a newline.
 std::string indented(std::string_view text, std::string_view indent);
 
 }  // namespace atelier

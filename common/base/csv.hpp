@@ -5,7 +5,7 @@
 
 namespace atelier {
 
-/// The text as one field: in quotes where it holds what would end one (a comma, a quote, a line's end), quotes doubled.
+/// The text as one field: quoted if it contains a comma, a quote or a line break; quotes are doubled.
 std::string csv_field(const std::string& text);
 
 }  // namespace atelier

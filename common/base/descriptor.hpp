@@ -1,4 +1,4 @@
-// A file descriptor with an owner.
+// An owned file descriptor.
 #pragma once
 
 #include <unistd.h>
@@ -7,7 +7,7 @@
 
 namespace atelier {
 
-/// Closes at the end of its scope; -1 is none. Whoever opens one asks for close-on-exec, so that no child inherits it.
+/// Closed by the destructor; -1 means none. Open it with close-on-exec, so that no child process inherits it.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -21,7 +21,7 @@ class Descriptor {
 
   int get() const { return number_; }
   explicit operator bool() const { return number_ >= 0; }
-  /// Closes it now; false where the system reports that something written was lost.
+  /// Closes it now. False if the system reports that written data was lost.
   bool reset() { return number_ < 0 || ::close(std::exchange(number_, -1)) == 0; }
 
  private:

@@ -1,4 +1,4 @@
-// The one exception that means "the user can mend this".
+// The exception for an input error that the user can fix.
 #pragma once
 
 #include <stdexcept>
@@ -6,9 +6,9 @@
 
 namespace atelier {
 
-/// What is thrown for bad input of any kind: a broken file, a setting out of range, a missing driver.
-/// The message stands by itself: it names the file, the value, what is allowed and, where there is one, the next thing
-/// to try. Programs print it after "error: " on stderr and exit with status 2 (`exit_usage`).
+/// Thrown for any bad input: a broken file, a setting out of range, a missing driver.
+/// The message is complete: it names the file, the value, what is allowed and, if possible, what to try next.
+/// Programs print it after "error: " on stderr and exit with status 2 (`exit_usage`).
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

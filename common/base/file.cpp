@@ -21,13 +21,13 @@ std::string system_reason(int number = errno) {
   return std::generic_category().message(number);
 }
 
-/// A name beside `target` that nobody else uses: short, so that it fits wherever the target's own name fits.
+/// A unique name in the target's folder. Short, so that it does not exceed the file system's limit on names.
 fs::path name_beside(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path() / fmt::format(".atelier-{}-{}.part", ::getpid(), count++);
 }
 
-/// Writes all of `bytes`, however many calls that takes. False with errno set where the system refuses.
+/// Writes all of `bytes`, in as many calls as needed. On an error returns false with errno set.
 bool write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -38,7 +38,7 @@ bool write_all(int descriptor, std::string_view bytes) {
   return true;
 }
 
-/// The file that a write to `path` replaces: what a link points to, so that the link stays one.
+/// The file that a write to `path` replaces. A symbolic link is resolved, so that the link itself stays.
 fs::path replaced_file(const fs::path& path) {
   std::error_code failed;
   const fs::path behind = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
@@ -51,17 +51,17 @@ std::string read_file(const fs::path& path, std::size_t limit) {
   const auto fail = [&](const std::string& reason) -> Error {
     return Error(fmt::format("{}: cannot be read: {}", path.string(), reason));
   };
-  // O_NONBLOCK: opening a FIFO that nobody writes to must not wait. It means nothing for a regular file.
+  // O_NONBLOCK: opening a FIFO without a writer must not block. It has no effect on a regular file.
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (!file) throw fail(system_reason());
   struct stat status {};
   if (::fstat(file.get(), &status) != 0) throw fail(system_reason());
-  if (S_ISDIR(status.st_mode)) throw fail("it is a folder, and a file is needed");
-  if (!S_ISREG(status.st_mode)) throw fail("it is no regular file");
+  if (S_ISDIR(status.st_mode)) throw fail("it is a folder, not a file");
+  if (!S_ISREG(status.st_mode)) throw fail("it is not a regular file");
   if (std::size_t(status.st_size) > limit)
-    throw fail(fmt::format("{} bytes, and at most {} are allowed", status.st_size, limit));
+    throw fail(fmt::format("it has {} bytes; at most {} are allowed", status.st_size, limit));
 
-  // The size is only a hint (0 for files of /proc, and a file may grow): read until the end, one byte past the limit.
+  // The size is only a hint (files in /proc report 0, and a file may grow), so read to the end.
   std::string bytes(std::size_t(status.st_size) + 1, '\0');
   std::size_t length = 0;
   while (true) {
@@ -71,7 +71,7 @@ std::string read_file(const fs::path& path, std::size_t limit) {
     if (got < 0) throw fail(system_reason());
     if (got == 0) break;
     length += std::size_t(got);
-    if (length > limit) throw fail(fmt::format("more than the {} bytes allowed", limit));
+    if (length > limit) throw fail(fmt::format("it has more than the {} bytes allowed", limit));
   }
   bytes.resize(length);
   return bytes;
@@ -83,24 +83,24 @@ void write_file(const fs::path& path, std::string_view bytes) {
   };
   std::error_code failed;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), failed);
-  if (failed) throw fail("its folder cannot be made: " + failed.message());
+  if (failed) throw fail("its folder cannot be created: " + failed.message());
 
   const fs::path target = replaced_file(path);
   struct stat old {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
   if (exists && S_ISDIR(old.st_mode)) throw fail("it is a folder");
-  // A rename would replace the device itself (/dev/null, say) by a file.
-  if (exists && !S_ISREG(old.st_mode)) throw fail("it is no regular file");
+  // A rename would replace a device such as /dev/null with a file.
+  if (exists && !S_ISREG(old.st_mode)) throw fail("it is not a regular file");
 
   fs::path part;
   Descriptor file;
-  do {  // past what a killed process of our number has left
+  do {  // skip files that a killed process with our process number has left
     part = name_beside(target);
     file = Descriptor(::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   } while (!file && errno == EEXIST);
   if (!file) throw fail(system_reason());
-  if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777);  // an owner's choice outlives the content
-  // Each call may be the one that meets the full disk; network file systems tell only at the close.
+  if (exists) (void)!::fchmod(file.get(), old.st_mode & 07777);  // keep the permissions
+  // Each call can fail on a full disk; network file systems report it only at close.
   if (!write_all(file.get(), bytes) || !file.reset() || ::rename(part.c_str(), target.c_str()) != 0) {
     const std::string reason = system_reason();
     ::unlink(part.c_str());
@@ -116,7 +116,7 @@ void require_space(const fs::path& folder, std::uintmax_t bytes) {
   std::error_code unknown;
   const fs::space_info space = fs::space(folder, unknown);
   if (!unknown && space.available < bytes)
-    throw Error(fmt::format("{}: the disk is full, {:.1f} MB are left and {:.1f} MB needed; make room there",
+    throw Error(fmt::format("{}: the disk is full: {:.1f} MB are free and {:.1f} MB are needed; free some space",
                             folder.string(), double(space.available) / 1e6, double(bytes) / 1e6));
 }
 
@@ -134,12 +134,12 @@ TemporaryFolder::TemporaryFolder(std::string_view prefix) {
     throw Error("the temporary folder named by TMPDIR is missing (" + failed.message() + "): set TMPDIR to a folder");
   std::string name = (parent / fmt::format("{}-XXXXXX", prefix)).string();
   if (::mkdtemp(name.data()) == nullptr)
-    throw Error(fmt::format("{}: no temporary folder can be made there: {}", parent.string(), system_reason()));
+    throw Error(fmt::format("{}: cannot create a temporary folder there: {}", parent.string(), system_reason()));
   path_ = name;
 }
 
 TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) {
-  other.path_.clear();  // a moved-from path may still hold its text
+  other.path_.clear();  // a moved-from path may still have its old value
 }
 
 TemporaryFolder::~TemporaryFolder() {

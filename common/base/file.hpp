@@ -1,4 +1,4 @@
-// Whole files, read and written so that nothing is ever half there.
+// Reads and writes whole files; writes are atomic.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,26 @@
 
 namespace atelier {
 
-/// The bytes of a regular file. Throws Error naming the path where it is missing, unreadable, no regular file or larger
+/// The bytes of a regular file. Throws Error naming the path if it is missing, unreadable, not a regular file or larger
 /// than `limit` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t limit = std::size_t(1) << 30);
 
-/// Writes beside the target and renames, so that a reader sees the old file or the new one and never a part, and a full
-/// disk leaves the old one as it was. Makes missing parent folders. Throws Error naming the path and the system's
-/// reason.
+/// Atomic write: writes a temporary file in the same folder and renames it. A reader sees either the old or the new
+/// file, and a full disk leaves the old one unchanged. Creates missing parent folders. Throws Error naming the path and
+/// the system's reason.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
-/// Throws Error where the disk that `folder` lies on has fewer than `bytes` left: what fails for want of space must not
-/// look like somebody's mistake.
+/// Throws Error if the disk that holds `folder` has fewer than `bytes` free: a failure for lack of space must not be
+/// reported as a student's mistake.
 void require_space(const std::filesystem::path& folder, std::uintmax_t bytes);
-inline constexpr std::uintmax_t space_to_work = 32 << 20;  ///< what a step's build or pictures may take, generously
-inline constexpr std::uintmax_t space_left = 1 << 20;      ///< less, and something may not have been written
+inline constexpr std::uintmax_t working_space = 32 << 20;  ///< enough for a step's build or its pictures
+inline constexpr std::uintmax_t min_free_space = 1 << 20;  ///< with less free, a write may have failed
 
-/// A path beside `path` that nothing has yet: with `ending` behind its name, and "-2", "-3" ... where that is taken.
+/// A path that does not exist yet: `path` + `ending`, or if that exists, `path` + `ending` + "-2", "-3" ...
 std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending);
 
-/// A new empty folder below the system's temporary folder, removed with all that is in it at the end of the scope.
+/// A new empty folder in the system's temporary folder. The destructor removes it with its contents.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(std::string_view prefix = "atelier");

@@ -16,7 +16,7 @@ FileWatch::FileWatch(std::vector<std::filesystem::path> files) : files_(std::mov
 #if defined(__linux__)
   notifications_ = Descriptor(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC));
   if (!notifications_) return;
-  // Folders and not files: an editor that writes beside and renames leaves the watched file behind.
+  // Watch folders, not files: an editor that writes a new file and renames it replaces the watched inode.
   std::set<std::filesystem::path> folders;
   for (const auto& file : files_) folders.insert(file.has_parent_path() ? file.parent_path() : ".");
   for (const auto& folder : folders)

@@ -1,7 +1,7 @@
-// Notices when files change, whichever way an editor writes them: in place, or beside and renamed.
+// Detects changed files, whether an editor writes them in place or writes a new file and renames it.
 //
-// What a file's size, time and number say is the truth; notifications of the system only tell when to look. Where none
-// come (network drives, a folder of the host inside a virtual machine), looking every `look_again` is enough.
+// A file has changed if its size, time or inode number has. Notifications of the system only say when to check. Where
+// there are none (network drives, a host's folder in a virtual machine), check every `poll_interval`.
 #pragma once
 
 #include <chrono>
@@ -17,20 +17,20 @@ namespace atelier {
 
 class FileWatch {
  public:
-  /// How often a caller should look where `descriptor` stays silent.
-  static constexpr std::chrono::milliseconds look_again{200};
+  /// How often a caller should check if `descriptor` reports nothing.
+  static constexpr std::chrono::milliseconds poll_interval{200};
 
-  /// Watches these files. They need not exist; a file that appears or vanishes has changed.
+  /// Watches these files. They need not exist; a file that is created or deleted counts as changed.
   explicit FileWatch(std::vector<std::filesystem::path> files);
 
-  /// Becomes readable when something in the files' folders has changed; -1 where the system does not notify.
+  /// Becomes readable when something in the files' folders changes; -1 if the system cannot notify.
   int descriptor() const { return notifications_.get(); }
 
-  /// Which files have changed since the last call, in the order given. Never waits.
+  /// The files that have changed since the last call, in the order given. Never waits.
   std::vector<std::filesystem::path> take_changes();
 
  private:
-  /// What tells two states of a file apart; none for a file that is not there.
+  /// Identifies a state of a file; none if the file does not exist.
   struct Stamp {
     std::uint64_t size = 0, number = 0;
     std::int64_t seconds = 0, nanoseconds = 0;

@@ -1,4 +1,4 @@
-// A folder that one process at a time may change.
+// A lock on a folder, so that one process at a time changes it.
 #pragma once
 
 #include <fcntl.h>
@@ -11,8 +11,8 @@
 
 namespace atelier {
 
-/// Waits until no other process holds the folder, and holds it to the end of the scope, or of this process. Where the
-/// file system knows no locks nothing is held: two commands at a time are then as they were without it.
+/// The constructor waits for the lock; the destructor, or the end of the process, releases it. On a file system without
+/// locks nothing is locked.
 class FolderLock {
  public:
   explicit FolderLock(const std::filesystem::path& folder)

@@ -1,4 +1,4 @@
-// The JSON library's two classes, compiled here for all other files: see cmake/parts.hpp.
+// Explicit instantiations of the JSON library's two classes, for all other files: see cmake/parts.hpp.
 #include <nlohmann/json.hpp>
 
 template class nlohmann::basic_json<>;

@@ -23,10 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int free_from = 16;  // above all numbers that a child asks for
+constexpr int first_free_number = 16;  // above every number in Launch::descriptors
 
-/// The same file under a number above the standard streams': a parent whose streams are closed is given such low
-/// numbers, and what it prints would go there.
+/// The same file with a number above those of the standard streams. If the parent's standard streams are closed, new
+/// files get their numbers, and printed text would go there.
 Descriptor above_standard_streams(Descriptor file) {
   return file.get() > 2 ? std::move(file) : Descriptor(::fcntl(file.get(), F_DUPFD_CLOEXEC, 3));
 }
@@ -36,8 +36,8 @@ bool is_program(const fs::path& file) {
   return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// The absolute path behind a program's name: itself where it has a slash, otherwise the first match along PATH. Done
-/// here and not by exec, because the child's folder and environment may be others than ours.
+/// The absolute path of a program: a name with a slash is a path, any other name is searched for in PATH. exec cannot
+/// do this, because the child may have another working directory and environment.
 fs::path find_program(const std::string& name) {
   if (name.find('/') != std::string::npos) return fs::absolute(name);
   const char* variable = std::getenv("PATH");
@@ -48,10 +48,10 @@ fs::path find_program(const std::string& name) {
     if (is_program(folder / name)) return fs::absolute(folder / name);
     begin = end + 1;
   }
-  throw Error(fmt::format("program '{}' is not found along PATH ({})", name, path));
+  throw Error(fmt::format("program '{}' is not found in PATH ({})", name, path));
 }
 
-/// What execve wants: pointers, ended by a null, into strings that live on.
+/// A null-terminated array of pointers, as execve takes it. `strings` must outlive it.
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
   for (std::string& text : strings) result.push_back(text.data());
@@ -59,27 +59,27 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
   return result;
 }
 
-/// Everything that the child needs, made ready before the fork: after it, a child of a threaded program may neither
-/// allocate nor lock.
-struct Ready {
+/// Everything that the child needs, prepared before the fork: after it, the child of a threaded program must not
+/// allocate or lock.
+struct PreparedLaunch {
   fs::path program;
   std::vector<std::string> argument_text, environment_text;
   std::vector<char*> arguments, environment;
   const char* folder = nullptr;
-  std::vector<Passed> descriptors;
-  Descriptor nothing;  ///< an empty standard input, where none is passed
-  int report = -1;     ///< errno goes there where the start fails
+  std::vector<PassedDescriptor> descriptors;
+  Descriptor empty_input;  ///< the standard input if the caller passes none
+  int error_pipe = -1;     ///< receives errno if the start fails
   pid_t parent = 0;
 };
 
-Ready prepare(const Launch& wanted) {
+PreparedLaunch prepare(const Launch& wanted) {
   if (wanted.arguments.empty() || wanted.arguments.front().empty())
-    throw Error("a command needs the name of a program");
+    throw Error("the name of the program to start is missing");
   std::error_code ignored;
   if (!wanted.folder.empty() && !fs::is_directory(wanted.folder, ignored))
-    throw Error(fmt::format("{}: cannot be started in the folder {}, which does not exist", wanted.arguments.front(),
+    throw Error(fmt::format("{}: cannot be started in the folder {}: it does not exist", wanted.arguments.front(),
                             wanted.folder.string()));
-  Ready ready;
+  PreparedLaunch ready;
   ready.program = find_program(wanted.arguments.front());
   ready.argument_text = wanted.arguments;
   if (wanted.environment)
@@ -90,18 +90,18 @@ Ready prepare(const Launch& wanted) {
   ready.environment = pointers(ready.environment_text);
   if (!wanted.folder.empty()) ready.folder = wanted.folder.c_str();
   ready.descriptors = wanted.descriptors;
-  const auto is_input = [](const Passed& passed) { return passed.number == 0; };
+  const auto is_input = [](const PassedDescriptor& passed) { return passed.child_number == 0; };
   if (std::none_of(ready.descriptors.begin(), ready.descriptors.end(), is_input)) {
-    ready.nothing = above_standard_streams(Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)));
-    ready.descriptors.push_back({ready.nothing.get(), 0});
+    ready.empty_input = above_standard_streams(Descriptor(::open("/dev/null", O_RDONLY | O_CLOEXEC)));
+    ready.descriptors.push_back({ready.empty_input.get(), 0});
   }
   ready.parent = ::getpid();
   return ready;
 }
 
-// --- The child, between fork and exec: only calls that POSIX calls async-signal-safe ---
+// --- The child, between fork and exec: only async-signal-safe calls (POSIX) ---
 
-/// Marks every descriptor from 3 on to be closed by exec, whoever opened it.
+/// Marks every descriptor from 3 on as close-on-exec.
 void close_descriptors_at_exec() {
 #if defined(CLOSE_RANGE_CLOEXEC)
   if (::close_range(3, ~0u, CLOSE_RANGE_CLOEXEC) == 0) return;
@@ -110,24 +110,24 @@ void close_descriptors_at_exec() {
   for (int descriptor = 3; descriptor < last; ++descriptor) ::fcntl(descriptor, F_SETFD, FD_CLOEXEC);
 }
 
-/// Puts the descriptors where the program looks for them. First all are moved out of the way, since one may stand on
-/// the number that another needs; what dup2 makes is not closed by exec.
-bool arrange_descriptors(Ready& ready) {
+/// Gives the descriptors the numbers that the program expects. First it moves all of them to high numbers, since one
+/// may have the number that another needs. dup2 clears close-on-exec.
+bool arrange_descriptors(PreparedLaunch& ready) {
   const auto move_away = [](int& descriptor) {
-    const int moved = ::fcntl(descriptor, F_DUPFD_CLOEXEC, free_from);
+    const int moved = ::fcntl(descriptor, F_DUPFD_CLOEXEC, first_free_number);
     if (moved >= 0) descriptor = moved;
     return moved >= 0;
   };
-  if (!move_away(ready.report)) return false;
-  for (Passed& passed : ready.descriptors)
-    if (!move_away(passed.ours)) return false;
+  if (!move_away(ready.error_pipe)) return false;
+  for (PassedDescriptor& passed : ready.descriptors)
+    if (!move_away(passed.parent_number)) return false;
   close_descriptors_at_exec();
-  for (const Passed& passed : ready.descriptors)
-    if (::dup2(passed.ours, passed.number) < 0) return false;
+  for (const PassedDescriptor& passed : ready.descriptors)
+    if (::dup2(passed.parent_number, passed.child_number) < 0) return false;
   return true;
 }
 
-/// Signals as a fresh program expects them: an ignored SIGPIPE, say, would be inherited.
+/// Restores the default signal handling; the child would inherit an ignored SIGPIPE, for example.
 void reset_signals() {
   for (int number = 1; number < NSIG; ++number)
     if (number != SIGKILL && number != SIGSTOP) ::signal(number, SIG_DFL);
@@ -136,10 +136,10 @@ void reset_signals() {
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-[[noreturn]] void become(Ready& ready) {
+[[noreturn]] void exec_child(PreparedLaunch& ready) {
   ::setpgid(0, 0);
 #if defined(__linux__)
-  // Ctrl-C reaches our group and not the child's: let the child die with us however we die.
+  // Ctrl-C reaches only our process group, so the kernel must kill the child when we end.
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != ready.parent) ::_exit(127);
 #endif
@@ -147,7 +147,7 @@ void reset_signals() {
   if (arrange_descriptors(ready) && (ready.folder == nullptr || ::chdir(ready.folder) == 0))
     ::execve(ready.program.c_str(), ready.arguments.data(), ready.environment.data());
   const int reason = errno;
-  (void)!::write(ready.report, &reason, sizeof reason);
+  (void)!::write(ready.error_pipe, &reason, sizeof reason);
   ::_exit(127);
 }
 
@@ -162,27 +162,27 @@ Pipe make_pipe() {
   if (!failed)
     for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 #endif
-  if (failed) throw Error("no pipe can be made: " + std::generic_category().message(errno));
+  if (failed) throw Error("cannot create a pipe: " + std::generic_category().message(errno));
   return {above_standard_streams(Descriptor(ends[0])), above_standard_streams(Descriptor(ends[1]))};
 }
 
 pid_t launch(const Launch& wanted) {
-  Ready ready = prepare(wanted);
-  Pipe report = make_pipe();
-  ready.report = report.write.get();
+  PreparedLaunch ready = prepare(wanted);
+  Pipe error_pipe = make_pipe();
+  ready.error_pipe = error_pipe.write.get();
 
-  // Whoever started us may have left SIGCHLD ignored; then the system forgets how a child ended.
+  // If we inherited an ignored SIGCHLD, the system would discard the child's exit status.
   struct sigaction action {};
   if (::sigaction(SIGCHLD, nullptr, &action) == 0 && action.sa_handler == SIG_IGN) ::signal(SIGCHLD, SIG_DFL);
 
   const pid_t child = ::fork();
-  if (child == 0) become(ready);
+  if (child == 0) exec_child(ready);
   int reason = errno;
-  report.write.reset();
+  error_pipe.write.reset();
   if (child > 0) {
-    ::setpgid(child, child);  // by both sides: whichever comes first, the group is there from here on
+    ::setpgid(child, child);  // parent and child both do this, so that the group exists from here on
     ssize_t got;
-    do got = ::read(report.read.get(), &reason, sizeof reason);
+    do got = ::read(error_pipe.read.get(), &reason, sizeof reason);
     while (got < 0 && errno == EINTR);
     if (got == 0) return child;  // exec closed the pipe
     ::waitpid(child, nullptr, 0);

@@ -1,5 +1,4 @@
-// Starting a child process: what everything that runs another program has in common. base/process.hpp waits for one to
-// end; judge/run/worker.hpp listens to one while it runs.
+// Starts a child process. base/process.hpp waits for its end; judge/run/worker.hpp communicates with it while it runs.
 #pragma once
 
 #include <sys/types.h>
@@ -18,32 +17,32 @@ struct Pipe {
   Descriptor read, write;
 };
 
-/// Both ends close-on-exec from the start, so that a child started meanwhile by another thread inherits neither, and
-/// above the numbers of the standard streams. Throws Error with the system's reason.
+/// Both ends are close-on-exec from the start, so that a child started by another thread does not inherit them, and
+/// have numbers above those of the standard streams. Throws Error with the system's reason.
 Pipe make_pipe();
 
-/// A descriptor of ours, and the number under which the child finds it.
-struct Passed {
-  int ours = -1, number = 0;  ///< `number`: 0..15
+/// A descriptor that the child inherits: its number in this process, and its number in the child.
+struct PassedDescriptor {
+  int parent_number = -1, child_number = 0;  ///< child_number: 0..15
 };
 
 struct Launch {
-  std::vector<std::string> arguments;                             ///< the program (found along PATH) and its arguments
+  std::vector<std::string> arguments;                             ///< the program (searched in PATH) and its arguments
   std::filesystem::path folder;                                   ///< working directory; empty: the parent's
   std::optional<std::map<std::string, std::string>> environment;  ///< the whole environment; none: the parent's
-  std::vector<Passed> descriptors;  ///< all that the child inherits; without a standard input it gets an empty one
+  std::vector<PassedDescriptor> descriptors;  ///< all that the child inherits; its standard input is empty by default
 };
 
-/// Starts a program without a shell, and returns once it runs. It leads a process group of its own number, dies with
-/// the thread that started it, and has default signals, none blocked. It stays ours until it is waited for. Throws
-/// Error naming the program and the system's reason where it cannot be started.
+/// Starts a program without a shell, and returns once it runs. The child leads its own process group, is killed when
+/// the thread that started it ends, and has default signal handling with none blocked. The caller must wait for it.
+/// Throws Error naming the program and the system's reason if it cannot be started.
 pid_t launch(const Launch& wanted);
 
-/// Kills a child of `launch` with its process group, also where it has left that, and waits for it. Returns its status
-/// as waitpid gives it.
+/// Kills a child of `launch` and its process group, even if the child has left the group, and waits for the child.
+/// Returns its status as waitpid does.
 int kill_and_wait(pid_t child);
 
-/// Our own environment, by name.
+/// The environment of this process, by name.
 std::map<std::string, std::string> own_environment();
 
 }  // namespace atelier

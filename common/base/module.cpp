@@ -12,7 +12,7 @@
 namespace atelier {
 namespace {
 
-/// The folder of the library that this very code was loaded from, wherever it was built or installed.
+/// The folder of the library that contains this code.
 std::filesystem::path library_folder() {
   static const char here = 0;
   Dl_info info{};
@@ -24,17 +24,17 @@ std::filesystem::path library_folder() {
 
 void* open_module(const std::string& name) {
   const auto file = library_folder() / fmt::format("lib{}.so", name);  // CMake's MODULE suffix, on macOS too
-  // RTLD_NOW: what is missing shows here, with a message, and not as an abort at some later call.
+  // RTLD_NOW: a missing symbol is reported here, not by an abort in a later call.
   if (void* handle = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL)) return handle;
   const char* reason = dlerror();
-  throw Error(fmt::format("module '{}' cannot be loaded from {}: {}; build the project again", name, file.string(),
+  throw Error(fmt::format("module '{}' cannot be loaded from {}: {}; rebuild the project", name, file.string(),
                           reason ? reason : "unknown reason"));
 }
 
 }  // namespace
 
 void* module_symbol(const std::string& name, const char* symbol) {
-  // Modules stay loaded to the end: their libraries register things at exit that must not be unmapped before.
+  // Modules are never unloaded: their libraries register exit handlers, whose code must stay mapped.
   static std::map<std::string, void*> handles;
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
@@ -42,8 +42,8 @@ void* module_symbol(const std::string& name, const char* symbol) {
   auto found = handles.find(name);
   if (found == handles.end()) found = handles.emplace(name, open_module(name)).first;
   if (void* address = dlsym(found->second, symbol)) return address;
-  throw Error(fmt::format("module '{}' in {} has no symbol '{}'; build the project again", name,
-                          library_folder().string(), symbol));
+  throw Error(fmt::format("module '{}' in {} has no symbol '{}'; rebuild the project", name, library_folder().string(),
+                          symbol));
 }
 
 }  // namespace atelier

@@ -6,7 +6,7 @@
 namespace atelier {
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  // Three rows of the table are alive at a time: a swap of neighbours looks two rows back.
+  // Keep three rows of the table: a swap of neighbours needs the row before the last.
   std::vector<std::size_t> before_last(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -24,7 +24,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
-  if (name.empty() || name.size() > 200) return {};  // what is so long is no slip of the finger
+  if (name.empty() || name.size() > 200) return {};  // such a long name is not a typing error
   std::string nearest;
   std::size_t best = std::max<std::size_t>(1, name.size() / 3) + 1;
   for (const std::string& candidate : known) {

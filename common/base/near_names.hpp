@@ -1,4 +1,4 @@
-// "Did you mean ...?": the known name that somebody most likely wanted to type.
+// "Did you mean ...?": the known name that the user most likely meant.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +8,16 @@
 
 namespace atelier {
 
-/// The least number of single-letter insertions, deletions, replacements and swaps of neighbours that turn `a` into
-/// `b`, no letter being edited twice (the optimal string alignment distance; Damerau 1964, Wagner and Fischer 1974).
-/// Time is the product of the lengths.
+/// The smallest number of single-letter insertions, deletions, replacements and swaps of neighbours that turn `a` into
+/// `b`, editing no letter twice (optimal string alignment distance; Damerau 1964, Wagner and Fischer 1974). Takes time
+/// proportional to the product of the lengths.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The known name nearest to `name`, the first of several; empty where none is within a third of its letters (at least
-/// one edit), because a far-fetched suggestion misleads more than none.
+/// The known name nearest to `name`, the first if several are. Empty if more than a third of the letters (at least one)
+/// must be edited: a wrong suggestion is worse than none.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// The end of an error sentence about an unknown name: "; did you mean 'x'?" where a name is near, otherwise
+/// The end of an error message about an unknown name: "; did you mean 'x'?" if a name is near, otherwise
 /// "; known are a, b, c", or "; there are none".
 std::string suggestion(std::string_view name, const std::vector<std::string>& known);
 

@@ -1,4 +1,4 @@
-// A number that is the whole of a text.
+// Converts a whole text to a number.
 #pragma once
 
 #include <charconv>
@@ -6,8 +6,8 @@
 
 namespace atelier {
 
-/// Whether all of `text` is one Number in decimal, which is then in `number`; a plus sign may stand before it. The same
-/// in every locale. A real may be "nan" or "inf": ranges refuse them.
+/// Reads all of `text` as one decimal Number into `number`; false if it is not one. A leading plus sign is allowed. The
+/// locale does not matter. "nan" and "inf" are accepted as floating-point numbers: callers check the range.
 template <class Number>
 bool parse_number(std::string_view text, Number& number) {
   if (text.starts_with('+')) text.remove_prefix(1);

@@ -27,7 +27,7 @@ CodePoint first_code_point(std::string_view text) {
     if ((byte(i) & 0xC0) != 0x80) return broken;
     value = value << 6 | (byte(i) & 0x3F);
   }
-  constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // below: more bytes than needed
+  constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};  // a smaller value is an overlong encoding
   const bool surrogate = value >= 0xD800 && value <= 0xDFFF;
   if (value < least[length] || surrogate || value > 0x10FFFF) return broken;
   return {value, length, true};

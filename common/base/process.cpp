@@ -19,40 +19,40 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// Whether the child has ended. It is left unreaped: until then nobody else can be given its process group's number.
+/// Whether the child has ended. Does not reap it, so that the system cannot reuse its process group's number.
 bool has_ended(pid_t child) {
   siginfo_t info{};
   return ::waitid(P_PID, id_t(child), &info, WEXITED | WNOHANG | WNOWAIT) != 0 || info.si_pid == child;
 }
 
-enum class Drained { open, closed };
+enum class PipeState { open, closed };
 
-/// Takes what is in the pipe by now; keeps at most `limit` bytes in all.
-Drained drain(int pipe, std::string& kept, std::size_t limit) {
+/// Reads what is in the pipe now; `output` gets at most `limit` bytes in all.
+PipeState drain(int pipe, std::string& output, std::size_t limit) {
   std::array<char, 16384> chunk;
-  // Bounded, so that a child that floods the pipe does not keep us from looking at the clock.
+  // Bounded, so that a child that floods the pipe cannot outrun the time limit.
   for (int round = 0; round < 64; ++round) {
     const ssize_t got = ::read(pipe, chunk.data(), chunk.size());
-    if (got == 0) return Drained::closed;
-    if (got < 0) return errno == EAGAIN || errno == EINTR ? Drained::open : Drained::closed;
-    kept.append(chunk.data(), std::min(std::size_t(got), limit - kept.size()));
+    if (got == 0) return PipeState::closed;
+    if (got < 0) return errno == EAGAIN || errno == EINTR ? PipeState::open : PipeState::closed;
+    output.append(chunk.data(), std::min(std::size_t(got), limit - output.size()));
   }
-  return Drained::open;
+  return PipeState::open;
 }
 
-/// Waits for the child's end or the limit, collecting output. Returns true where the limit came first.
-bool watch(pid_t child, int pipe, Clock::time_point deadline, const Command& command, std::string& output) {
-  // The pipe's end normally tells of the child's. It does not where a grandchild holds the pipe or the child has closed
-  // its own side: then we look for the end ourselves.
-  Drained state = Drained::open;
+/// Waits until the child ends or the deadline passes, and collects output. Returns true if the deadline came first.
+bool wait_until(pid_t child, int pipe, Clock::time_point deadline, const Command& command, std::string& output) {
+  // The pipe normally closes when the child ends. It does not if a grandchild holds it, and it closes too early if the
+  // child closes its side, so the loop also polls for the child's end.
+  PipeState state = PipeState::open;
   while (!has_ended(child)) {
     const auto now = Clock::now();
     if (now >= deadline) return true;
     const auto left = std::chrono::ceil<milliseconds>(deadline - now);
-    const milliseconds glance{state == Drained::open ? 10 : 1};
-    pollfd wait{state == Drained::open ? pipe : -1, POLLIN, 0};  // poll passes over -1
-    ::poll(&wait, 1, int(std::min(left, glance).count()));
-    if (state == Drained::open) state = drain(pipe, output, command.output_limit);
+    const milliseconds interval{state == PipeState::open ? 10 : 1};
+    pollfd wait{state == PipeState::open ? pipe : -1, POLLIN, 0};  // poll ignores -1
+    ::poll(&wait, 1, int(std::min(left, interval).count()));
+    if (state == PipeState::open) state = drain(pipe, output, command.output_limit);
   }
   return false;
 }
@@ -71,7 +71,7 @@ Finished run_process(const Command& command) {
   pipe.write.reset();
 
   Finished result;
-  result.timed_out = watch(child, pipe.read.get(), begin + command.time_limit, command, result.output);
+  result.timed_out = wait_until(child, pipe.read.get(), begin + command.time_limit, command, result.output);
   const int status = kill_and_wait(child);
   drain(pipe.read.get(), result.output, command.output_limit);
 

@@ -1,4 +1,4 @@
-// Several files that belong together, replaced so that no reader and no full disk leaves a mixture of old and new.
+// Replaces several files that belong together, so that a failed write leaves no mixture of old and new files.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@ namespace atelier {
 
 struct Replacement {
   std::filesystem::path target;
-  std::function<void(const std::filesystem::path& beside)> write;  ///< writes what is to stand at the target
+  std::function<void(const std::filesystem::path& temporary)> write;  ///< writes the new content to `temporary`
 };
 
-/// Has all of them written beside their targets, and renames them only then. Where one cannot be written what was
-/// written is removed, the targets stay as they were, and what `write` or the file system has thrown goes on.
+/// Writes all of them to temporary files beside the targets, then renames them. If one cannot be written, removes the
+/// temporary files, leaves the targets unchanged and rethrows the exception.
 void replace_together(const std::vector<Replacement>& replacements);
 
 }  // namespace atelier

@@ -23,7 +23,7 @@ constexpr std::uint64_t integer_root(Wide x, int degree) {
   return low;
 }
 
-/// The standard's constants: the first 32 bits behind the point of the square or cube roots of the first primes.
+/// The standard's constants: the first 32 fractional bits of the square or cube roots of the first primes.
 template <std::size_t count>
 constexpr std::array<Word, count> fractions_of_roots(int degree) {
   std::array<Word, count> fractions{};
@@ -40,7 +40,7 @@ constexpr auto initial_state = fractions_of_roots<8>(2);
 constexpr auto round_constants = fractions_of_roots<64>(3);
 static_assert(initial_state[0] == 0x6a09e667 && round_constants[63] == 0xc67178f2);
 
-/// One 64-byte block into the state: section 6.2.2 of the standard, under its names.
+/// Processes one 64-byte block: section 6.2.2 of the standard, with its names.
 void absorb(std::array<Word, 8>& state, const unsigned char* block) {
   std::array<Word, 64> w;
   for (int t = 0; t < 16; ++t)
@@ -70,7 +70,7 @@ std::string sha256(std::string_view bytes) {
   for (std::size_t at = 0; at < whole; at += 64)
     absorb(state, reinterpret_cast<const unsigned char*>(bytes.data()) + at);
 
-  // The rest, a one bit, zeros, and the length in bits fill one or two last blocks.
+  // Padding: the remaining bytes, a one bit, zeros and the length in bits make one or two last blocks.
   std::string tail(bytes.substr(whole));
   tail.push_back(char(0x80));
   tail.resize(tail.size() <= 56 ? 56 : 120, '\0');

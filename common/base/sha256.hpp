@@ -1,4 +1,4 @@
-// A fingerprint of a file's bytes, the one that `sha256sum` prints: so that a reference cannot change unseen.
+// The SHA-256 hash that `sha256sum` prints, to detect changed files.
 #pragma once
 
 #include <string>

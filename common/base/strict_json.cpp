@@ -16,13 +16,13 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A value in an error sentence: compact and bounded, however large it is.
+/// A value for an error message, shortened.
 std::string shown(const Json& value) {
   if (value.is_structured() && value.size() > 16) return value.is_array() ? "a long list" : "a large object";
   return shorten(printable(value.dump(-1, ' ', false, Json::error_handler_t::replace)), 80);
 }
 
-/// The library's words without its exception codes: "parse error at line 3, column 5: ...".
+/// The library's message without its exception code: "parse error at line 3, column 5: ...".
 std::string reason(const std::exception& error) {
   std::string_view words = error.what();
   if (const std::size_t code_end = words.find("] "); words.starts_with('[') && code_end != words.npos) {
@@ -31,7 +31,7 @@ std::string reason(const std::exception& error) {
   return shorten(printable(words), 200);
 }
 
-/// Watches a document go by while it is parsed, and stops at what the library would accept.
+/// A parser callback that refuses what the library would accept: repeated members and deep nesting.
 class Guard {
  public:
   explicit Guard(const std::string& where) : where_(where) {}
@@ -44,14 +44,14 @@ class Guard {
     } else if (event == Event::object_end || event == Event::array_end) {
       members_.pop_back();
     } else if (event == Event::key && !members_.back().insert(value.get<std::string>()).second) {
-      throw Error(fmt::format("{}: member {} stands twice in one object", where_, shown(value)));
+      throw Error(fmt::format("{}: member {} appears twice in one object", where_, shown(value)));
     }
     return true;
   }
 
  private:
   const std::string& where_;
-  std::vector<std::set<std::string>> members_;  // of each object (or array: empty) around the place being read
+  std::vector<std::set<std::string>> members_;  // of each enclosing object (empty for an array)
 };
 
 void flatten(const Json& value, const std::string& where, std::size_t limit, std::vector<double>& flat) {
@@ -105,14 +105,14 @@ double number(const Json& value, const std::string& where, double low, double hi
   return value.get<double>();
 }
 
-int whole(const Json& value, const std::string& where, int low, int high) {
-  // Compared as double: an integer of any size has one, and none that fits an int is rounded.
+int integer(const Json& value, const std::string& where, int low, int high) {
+  // Compare as double: every JSON integer converts to one, and integers in the range of int do so exactly.
   const bool inside = value.is_number_integer() && value.get<double>() >= low && value.get<double>() <= high;
   if (!inside) refuse(value, where, fmt::format("a whole number {}..{}", low, high));
   return value.get<int>();
 }
 
-bool flag(const Json& value, const std::string& where) {
+bool boolean(const Json& value, const std::string& where) {
   if (!value.is_boolean()) refuse(value, where, "true or false");
   return value.get<bool>();
 }
@@ -149,7 +149,7 @@ std::vector<std::string> names(const Json& value, const std::string& where, std:
   for (const Json& element : value) {
     list.push_back(name(element, where, also));
     if (std::find(list.begin(), list.end() - 1, list.back()) != list.end() - 1) {
-      throw Error(fmt::format("{}: '{}' stands twice", where, list.back()));
+      throw Error(fmt::format("{}: '{}' appears twice", where, list.back()));
     }
   }
   return list;

@@ -1,4 +1,4 @@
-// Arguments: named numbers taken out as the types of the functions that a probe calls.
+// Arguments: converts named numbers to the parameter types of the functions that a probe calls.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -19,10 +19,10 @@ using strict_json::Json;
 
 constexpr int max_size = 4096;              // pixels a side
 constexpr std::size_t max_file = 16 << 20;  // bytes of a case file
-constexpr std::size_t max_inputs = 4096;    // sets of arguments of one probe
+constexpr std::size_t max_inputs = 4096;    // argument sets of one probe
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Members of one kind of case alone; the first few of each are the program's, the rest the judge's.
+/// Members of one kind of case only. The step program reads the first few of each list, the judge the rest.
 const std::vector<std::string> picture_members = {"scene",      "camera", "size",    "output",        "profile",
                                                   "unit",       "delta",  "budget",  "exposure",      "reason",
                                                   "references", "mask",   "regions", "truth_differs", "choice"};
@@ -91,7 +91,7 @@ void parse_picture(const Json& object, const std::string& where, Case& c) {
     if (!size->is_array() || size->size() != 2) {
       strict_json::refuse(*size, place, fmt::format("[width, height], each 1..{} pixels", max_size));
     }
-    for (int i : {0, 1}) c.size[i] = strict_json::whole((*size)[i], place, 1, max_size);
+    for (int i : {0, 1}) c.size[i] = strict_json::integer((*size)[i], place, 1, max_size);
   }
   if (const Json* output = strict_json::optional(object, "output")) {
     c.output = strict_json::name(*output, where + ": output", "_-");
@@ -129,7 +129,7 @@ Case parse_case(const Json& object, const std::string& where) {
   const bool is_probe = object.contains("probe");
   for (const std::string& member : is_probe ? picture_members : probe_members) {
     if (!object.contains(member)) continue;
-    throw Error(fmt::format("{}: '{}' belongs to a {}, and this is a {}", place, member, is_probe ? "picture" : "probe",
+    throw Error(fmt::format("{}: '{}' belongs to a {}, but this is a {}", place, member, is_probe ? "picture" : "probe",
                             is_probe ? "probe" : "picture"));
   }
   if (const Json* settings = strict_json::optional(object, "settings")) {
@@ -176,7 +176,7 @@ Json with_defaults(const Json& defaults, const Json& object, const std::string& 
       own = std::move(all);
     }
   }
-  // A file's pictures share a scene and a size, its probes a tolerance: neither kind inherits what is the other's.
+  // Defaults may hold members for pictures and for probes; each kind inherits only its own.
   for (const std::string& member : object.contains("probe") ? picture_members : probe_members) {
     if (!object.contains(member)) merged.erase(member);
   }
@@ -186,7 +186,7 @@ Json with_defaults(const Json& defaults, const Json& object, const std::string& 
 std::vector<Json> case_objects(const Json& document, const std::string& where) {
   strict_json::refuse_unknown(document, {"schema", "step", "title", "defaults", "cases"}, where);
   if (const Json* schema = strict_json::optional(document, "schema")) {
-    strict_json::whole(*schema, where + ": schema", 1, 1);
+    strict_json::integer(*schema, where + ": schema", 1, 1);
   }
   const Json defaults = document.value("defaults", Json::object());
   std::vector<std::string> known = known_members();

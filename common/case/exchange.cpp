@@ -23,11 +23,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-static_assert(std::endian::native == std::endian::little, "pixels are written as they lie in memory");
+static_assert(std::endian::native == std::endian::little, "pixels are written in memory order");
 static_assert(sizeof(Rgba) == 16);
 
 constexpr std::array<char, 8> magic = {'A', 'T', 'E', 'L', 'I', 'E', 'R', '1'};
-constexpr std::size_t max_sentence = 500;  // bytes of an error that are kept
+constexpr std::size_t max_sentence = 500;  // bytes of an error message
 
 struct PixelHeader {
   std::array<char, 8> magic;
@@ -39,21 +39,21 @@ std::string system_reason(int code) {
   return std::generic_category().message(code);
 }
 
-/// A file that an untrusted program may have put there: never a link (which could show the reader's own files), never
-/// waiting for a FIFO's other end.
+/// A file that an untrusted program may have written. Refuses links (which could point to the judge's own files) and
+/// never blocks on a FIFO.
 class UntrustedFile {
  public:
   explicit UntrustedFile(const fs::path& path) : name_(printable(path.filename().string())) {
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
     if (descriptor_ < 0) {
-      if (errno == ELOOP) throw Error(name_ + " is a symbolic link; a regular file is needed");
+      if (errno == ELOOP) throw Error(name_ + " is a symbolic link, not a regular file");
       throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
     }
     struct stat status {};
     const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
     if (!regular) {
       ::close(descriptor_);
-      throw Error(name_ + " is a folder, pipe or device; a regular file is needed");
+      throw Error(name_ + " is a folder, pipe or device, not a regular file");
     }
     size_ = std::size_t(status.st_size);
   }
@@ -64,19 +64,19 @@ class UntrustedFile {
   const std::string& name() const { return name_; }
   std::size_t size() const { return size_; }
 
-  /// Exactly `count` bytes from where the last read ended. Throws Error where the file ends before.
+  /// The next `count` bytes. Throws Error if the file ends before.
   void read(void* to, std::size_t count) {
     for (std::size_t done = 0; done < count;) {
       const ssize_t got = ::read(descriptor_, static_cast<char*>(to) + done, count - done);
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
-      if (got == 0) throw Error(fmt::format("{} ended while it was read", name_));
+      if (got == 0) throw Error(fmt::format("{} became shorter while it was read", name_));
       done += std::size_t(got);
     }
   }
 
  private:
-  std::string name_;  ///< without its folder: the message is for whoever wrote the file
+  std::string name_;  ///< without its folder, for messages to the student
   int descriptor_ = -1;
   std::size_t size_ = 0;
 };
@@ -85,7 +85,7 @@ std::string number_text(double value) {
   if (std::isnan(value)) return "\"nan\"";
   if (std::isinf(value)) return value > 0 ? "\"inf\"" : "\"-inf\"";
   if (value == 0) return std::signbit(value) ? "-0.0" : "0";  // a JSON reader takes -0 for the integer 0
-  return fmt::format("{}", value);                            // the shortest text that reads back to the same double
+  return fmt::format("{}", value);                            // the shortest text that reads back as the same double
 }
 
 }  // namespace
@@ -127,9 +127,9 @@ Image read_pixels(const fs::path& path, glm::ivec2 expected) {
   }
   PixelHeader header;
   file.read(&header, sizeof header);
-  if (header.magic != magic) throw Error(file.name() + " does not begin with ATELIER1: it is no picture file");
+  if (header.magic != magic) throw Error(file.name() + " is not a picture file: it does not begin with ATELIER1");
   if (header.width != std::uint32_t(expected.x) || header.height != std::uint32_t(expected.y)) {
-    throw Error(fmt::format("{} holds {} x {} pixels; {} x {} were asked for", file.name(), header.width, header.height,
+    throw Error(fmt::format("{} has {} x {} pixels; {} x {} are required", file.name(), header.width, header.height,
                             expected.x, expected.y));
   }
   file.read(image.pixels().data(), image.pixels().size_bytes());
@@ -138,7 +138,8 @@ Image read_pixels(const fs::path& path, glm::ivec2 expected) {
 
 std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
   UntrustedFile file(path);
-  if (file.size() > limit) throw Error(fmt::format("{} has {} bytes; {} are allowed", file.name(), file.size(), limit));
+  if (file.size() > limit)
+    throw Error(fmt::format("{} has {} bytes; at most {} are allowed", file.name(), file.size(), limit));
   std::string text(file.size(), '\0');
   file.read(text.data(), text.size());
   const strict_json::Json document = strict_json::parse(text, file.name());
@@ -156,20 +157,20 @@ std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
 }
 
 std::map<std::string, std::int64_t> read_counts(const fs::path& path) {
-  constexpr std::size_t most_bytes = 1 << 16, most_counts = 64;
+  constexpr std::size_t max_bytes = 1 << 16, max_counts = 64;
   UntrustedFile file(path);
-  if (file.size() > most_bytes)
-    throw Error(fmt::format("{} has {} bytes; {} are allowed", file.name(), file.size(), most_bytes));
+  if (file.size() > max_bytes)
+    throw Error(fmt::format("{} has {} bytes; at most {} are allowed", file.name(), file.size(), max_bytes));
   std::string text(file.size(), '\0');
   file.read(text.data(), text.size());
   const strict_json::Json document = strict_json::parse(text, file.name());
   const strict_json::Json& members = strict_json::required(document, "counts", file.name());
-  if (!members.is_object() || members.size() > most_counts)
-    strict_json::refuse(members, file.name() + ": counts", fmt::format("at most {} whole numbers", most_counts));
+  if (!members.is_object() || members.size() > max_counts)
+    strict_json::refuse(members, file.name() + ": counts", fmt::format("at most {} whole numbers", max_counts));
   std::map<std::string, std::int64_t> counts;
   for (const auto& [name, value] : members.items()) {
     if (!value.is_number_integer() || value.get<std::int64_t>() < 0)
-      strict_json::refuse(value, file.name() + ": " + name, "a whole number from 0 on");
+      strict_json::refuse(value, file.name() + ": " + name, "a whole number, 0 or more");
     counts[name] = value.get<std::int64_t>();
   }
   return counts;

@@ -1,14 +1,13 @@
-// The files through which a step program answers a judge that does not trust it: fixed-size raw pixels, plain numbers.
+// The files with which a step program answers the judge. The judge does not trust them.
 //
 //   DIR/NAME.pixels   "ATELIER1", width and height (32-bit little-endian), then width*height RGBA floats, row 0 on top
-//   DIR/NAME.values   {"results": [[numbers of input 0], ...]}; non-finite ones as "nan", "inf", "-inf"
-//   DIR/NAME.stats    only where --stats asks: what the picture has cost, as JSON (app/cost.hpp)
-//   DIR/NAME.stats    {"counts": {"vertices": 1032, ...}}: what drawing has cost, where --stats asks for it
+//   DIR/NAME.values   {"results": [[numbers of input 0], ...]}; non-finite numbers as "nan", "inf", "-inf"
+//   DIR/NAME.stats    with --stats: {"counts": {"vertices": 1032, ...}, ...}, the cost of the picture (app/cost.hpp)
 //   DIR/NAME.build_error   one sentence: the student's shader does not compile
-//   DIR/NAME.error    one sentence: the program itself refused the case (it has no such scene, say)
-//   DIR/NAME.exception   one sentence: what the student's function threw and nothing caught
+//   DIR/NAME.error    one sentence: the program refused the case (because of an unknown scene, for example)
+//   DIR/NAME.exception   one sentence: an exception that the student's function did not catch
 //
-// Each is written beside and renamed: what is there is whole.
+// Each file is written atomically.
 #pragma once
 
 #include <cstdint>
@@ -26,19 +25,19 @@ void write_pixels(const std::filesystem::path& file, const Image& image);
 void write_values(const std::filesystem::path& file, const std::vector<Numbers>& results);
 void write_case_error(const std::filesystem::path& file, const std::string& sentence);
 
-/// Reads what an untrusted program wrote: opens without following links or blocking, takes regular files only, and
-/// exactly the size that `expected` pixels need. Throws Error saying which of these failed.
+/// Reads a picture from an untrusted program. Accepts only a regular file of exactly the size that `expected` pixels
+/// need; does not follow links or block. Throws Error saying what is wrong.
 Image read_pixels(const std::filesystem::path& file, glm::ivec2 expected);
 
-/// At most `limit` bytes of JSON in the shape above, opened as carefully. Throws Error.
+/// At most `limit` bytes of JSON in the format above, with the same checks. Throws Error.
 std::vector<Numbers> read_values(const std::filesystem::path& file, std::size_t limit = 1 << 20);
 
-/// The counts of a .stats file, opened as carefully: at most 64 names, each with a whole number from 0 on. Throws
+/// The counts of a .stats file, with the same checks: at most 64 names, each with a whole number, 0 or more. Throws
 /// Error.
 std::map<std::string, std::int64_t> read_counts(const std::filesystem::path& file);
 
-/// The first line, at most 500 bytes, printable (base/printable.hpp). Empty where there is no such file; where it
-/// cannot be read as a regular file, the sentence says so. Never throws Error: what is read is an error already.
+/// The first line, at most 500 bytes, printable (base/printable.hpp). Empty if the file does not exist. If it cannot be
+/// read as a regular file, returns a sentence that says so; does not throw Error.
 std::string read_case_error(const std::filesystem::path& file);
 
 }  // namespace atelier

@@ -13,8 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "DIR", "NN-name=DIR", "NN-name/file=DIR" or "NN-name/folder=DIR"; a folder that has '=' in its own name needs one of
-/// them in front of it.
+/// "DIR", "NN-name=DIR", "NN-name/file=DIR" or "NN-name/folder=DIR". A folder with '=' in its name needs a prefix.
 Implementations::Root parse_root(const std::string& text) {
   const std::size_t equals = text.find('=');
   Implementations::Root root;
@@ -23,17 +22,17 @@ Implementations::Root parse_root(const std::string& text) {
   if (equals == 0) throw Error(fmt::format("implementations: '{}' names no step before '='", printable(text)));
   if (std::ranges::count(root.only, '/') > 1 || root.only.starts_with('/') || root.only.ends_with('/'))
     throw Error(
-        fmt::format("implementations: '{}' is no step and no file of one (names like 03-shadow-mapping and "
+        fmt::format("implementations: '{}' is neither a step nor a file of a step (names like 03-shadow-mapping and "
                     "03-shadow-mapping/given)",
                     printable(root.only)));
   std::error_code ignored;
   if (!fs::is_directory(root.folder, ignored)) {
-    throw Error(fmt::format("implementations: no folder '{}'", printable(root.folder.string())));
+    throw Error(fmt::format("implementations: there is no folder '{}'", printable(root.folder.string())));
   }
   return root;
 }
 
-/// Names that stay below their root: relative, without "..".
+/// Whether a name stays below its root: it is relative and has no "..".
 bool stays_below(const fs::path& name) {
   if (name.empty() || name.is_absolute()) return false;
   for (const fs::path& part : name) {
@@ -44,7 +43,7 @@ bool stays_below(const fs::path& name) {
 
 }  // namespace
 
-bool Implementations::Root::answers_for(const std::string& name) const {
+bool Implementations::Root::applies_to(const std::string& name) const {
   return only.empty() || name == only || (name.starts_with(only) && name[only.size()] == '/');
 }
 
@@ -72,7 +71,7 @@ fs::path Implementations::find(const std::string& name) const {
   const fs::path relative = name;
   if (!stays_below(relative)) return {};
   for (const Root& root : roots_) {
-    if (!root.answers_for(name)) continue;
+    if (!root.applies_to(name)) continue;
     const fs::path candidate = root.folder / relative;
     std::error_code ignored;
     if (fs::is_regular_file(candidate, ignored)) return candidate;

@@ -1,5 +1,4 @@
-// Which code stands behind each step: the student's, the solution's, a mistake's. Decided by the order of a search
-// path.
+// A search path that decides which code implements each step: the student's, the solution's or a mistake's.
 #pragma once
 
 #include <filesystem>
@@ -8,15 +7,15 @@
 
 namespace atelier {
 
-/// Folders that hold NN-name/ folders with shader files and compiled step libraries (NN-name/libstep.so), first match
-/// wins, file by file. A root may be limited to one step, "03-shadow-mapping=DIR", or to one file or folder of it,
-/// "03-shadow-mapping/given=DIR".
+/// Roots: folders that hold NN-name/ folders with shader files and compiled step libraries (NN-name/libstep.so). For
+/// each file the first root that has it wins. A root may be limited to one step, "03-shadow-mapping=DIR", or to one
+/// file or folder of a step, "03-shadow-mapping/given=DIR".
 class Implementations {
  public:
   struct Root {
     std::filesystem::path folder;
-    std::string only;  ///< the step, or the file or folder of a step, that it answers for; empty: all
-    bool answers_for(const std::string& name) const;  ///< "NN-name/file"
+    std::string only;  ///< the step, or the file or folder of a step, that it is limited to; empty: no limit
+    bool applies_to(const std::string& name) const;  ///< "NN-name/file"
   };
 
   Implementations() = default;
@@ -26,9 +25,9 @@ class Implementations {
   static Implementations parse(const std::string& text);
   std::string to_string() const;  ///< the text that parse reads
 
-  /// The path behind "NN-name/file", or an empty path; absolute names and names with ".." are never found.
+  /// The path of "NN-name/file", or an empty path. Never finds absolute names or names with "..".
   std::filesystem::path find(const std::string& name) const;
-  /// The folder that find answers from.
+  /// The folders that find searches, in order.
   const std::vector<Root>& roots() const { return roots_; }
 
  private:

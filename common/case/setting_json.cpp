@@ -33,7 +33,7 @@ SettingValue setting_from_json(const Json& value, const std::string& where) {
   using Whole = std::numeric_limits<int>;
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (value.is_boolean()) return value.get<bool>();
-  if (value.is_number_integer()) return strict_json::whole(value, where, Whole::min(), Whole::max());
+  if (value.is_number_integer()) return strict_json::integer(value, where, Whole::min(), Whole::max());
   if (value.is_number()) return strict_json::number(value, where, -infinity, infinity);
   const bool codes = value.is_string() && value.get_ref<const std::string&>().starts_with('#');
   if (value.is_array() || codes) return colour_from_json(value, where);

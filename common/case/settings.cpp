@@ -35,7 +35,7 @@ std::string shown(const SettingValue& value) {
   throw Error(fmt::format("setting '{}': {} is not allowed; it takes {}", spec.name, value, allowed_values(spec)));
 }
 
-// What each type of setting is written as.
+// Parsing a value of each type.
 
 bool parse_value(std::string_view text, bool& flag) {
   flag = text == "on" || text == "true";
@@ -57,13 +57,13 @@ bool parse_value(std::string_view text, Colour& colour) {
   return parsed.has_value();
 }
 
-// What is allowed of each.
+// Checking a value of each type.
 
 bool is_allowed(const SettingSpec&, bool) {
   return true;
 }
 bool is_allowed(const SettingSpec& spec, double number) {
-  return number >= spec.low && number <= spec.high;  // a NaN is in no range
+  return number >= spec.low && number <= spec.high;  // false for NaN
 }
 bool is_allowed(const SettingSpec& spec, int number) {
   return is_allowed(spec, double(number));
@@ -75,8 +75,8 @@ bool is_allowed(const SettingSpec& spec, const Colour& colour) {
   return is_allowed(spec, colour.r) && is_allowed(spec, colour.g) && is_allowed(spec, colour.b);
 }
 
-/// `value` as the type and in the range of `spec`. A whole number serves where a real is wanted, and where a choice is
-/// wanted that looks like one ("16"), since whoever wrote it down may not have known; nothing else converts.
+/// `value`, converted to the type of `spec` and checked. An int converts to a real, and to a choice with the same text
+/// ("16"), since the reader of a file cannot know the type; nothing else converts.
 SettingValue checked(const SettingSpec& spec, SettingValue value) {
   if (std::holds_alternative<double>(spec.fallback) && std::holds_alternative<int>(value)) {
     value = double(std::get<int>(value));
@@ -94,7 +94,7 @@ std::string setting_text(const SettingValue& value) {
   struct {
     std::string operator()(bool v) const { return v ? "on" : "off"; }
     std::string operator()(int v) const { return fmt::format("{}", v); }
-    std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest that reads back the same
+    std::string operator()(double v) const { return fmt::format("{}", v); }  // the shortest text that reads back equal
     std::string operator()(const std::string& v) const { return v; }
     std::string operator()(const Colour& v) const { return colour_text(v); }
   } text;
@@ -140,7 +140,7 @@ const SettingSpec& Settings::spec(std::string_view name) const {
 
 const SettingValue& Settings::value(std::string_view name) const {
   const auto found = values_.find(name);
-  return found != values_.end() ? found->second : spec(name).fallback;  // spec throws for what is unknown
+  return found != values_.end() ? found->second : spec(name).fallback;  // spec() throws for an unknown name
 }
 
 bool Settings::has(std::string_view name) const {
@@ -152,7 +152,7 @@ namespace {
 template <class Type>
 const Type& typed(const SettingValue& value, std::string_view name) {
   if (const Type* asked = std::get_if<Type>(&value)) return *asked;
-  throw Error(fmt::format("setting '{}' is {}, and was read as {}", name, type_name(value), type_name(Type{})));
+  throw Error(fmt::format("setting '{}' is {}, but was read as {}", name, type_name(value), type_name(Type{})));
 }
 
 }  // namespace

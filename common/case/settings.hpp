@@ -1,4 +1,4 @@
-// The typed settings of a step: every speed/accuracy choice that a scene, a case or a command line may make.
+// The typed settings of a step: every choice between speed and accuracy, set by a scene, a case or the command line.
 #pragma once
 
 #include <map>
@@ -18,31 +18,32 @@ struct SettingSpec {
   std::string name;                  ///< "shadow.resolution": group, dot, name
   SettingValue fallback;             ///< the default; its type is the setting's type
   double low = 0, high = 0;          ///< closed range of an int, a real, or each component of a colour
-  std::vector<std::string> choices;  ///< of a choice
+  std::vector<std::string> choices;  ///< the names, if the setting is a choice
   std::string help;                  ///< one sentence with the unit: "depth texels along a side"
 };
 
-/// "2048", "off", "slope", "0.2,0.5,1": the text that Settings::set reads back.
+/// "2048", "off", "slope", "0.2,0.5,1": the text from which Settings::set reads the same value.
 std::string setting_text(const SettingValue& value);
 
-/// "on, off", "32..8192", "none, constant, slope" or "R,G,B in linear light, each 0..1, or sRGB codes #rrggbb": what a
-/// value of this setting may be, in words.
+/// The allowed values in words: "on, off", "32..8192", "none, constant, slope" or "R,G,B in linear light, each 0..1, or
+/// sRGB codes #rrggbb".
 std::string allowed_values(const SettingSpec& spec);
 
-/// Values for a list of specs: all at their defaults when made, changed one by one, never out of range.
+/// The values for a list of specs. They start at their defaults and are always within their ranges.
 class Settings {
  public:
   Settings() = default;
-  /// Throws Error where a name is declared twice or a default is outside its own range or choices.
+  /// Throws Error if a name is declared twice or a default is outside its range or choices.
   explicit Settings(std::vector<SettingSpec> specs);
 
   /// Sets from text as on a command line ("2048", "off", "slope", "0.2,0.5,1", "#3380ff"). Throws Error naming the
-  /// setting, the value and what is allowed; an unknown name is answered with the nearest known one.
+  /// setting, the value and what is allowed; for an unknown name it suggests the nearest known one.
   void set(std::string_view name, std::string_view text);
   void set(std::string_view name, const char* text) { set(name, std::string_view(text)); }
   void set(std::string_view name, const std::string& text) { set(name, std::string_view(text)); }
-  /// Sets from a typed value, as from a case file: a whole number serves for a real, and for a choice that looks like
-  /// one ("16"); nothing else converts.
+  /// Sets from a typed value, as in a case file. An int converts to a real, and to a choice with the same text ("16");
+  /// nothing else converts.
+
   void set(std::string_view name, const SettingValue& value);
 
   /// Each throws Error for an unknown name and for a setting of another type.

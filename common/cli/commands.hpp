@@ -1,6 +1,6 @@
-// The subcommands of ./atelier: what each can be told, and the function that does it. One file each.
+// The subcommands of ./atelier: the options of each, and the function that runs it. Each has its own .cpp file.
 //
-// Every function returns an exit status (base/error.hpp) and throws Error for bad input, before anything was written.
+// Every function returns an exit status (base/error.hpp). It throws Error for bad input before it writes anything.
 #pragma once
 
 #include <cstdint>
@@ -19,18 +19,18 @@ int run_list(const ListOptions& options);
 struct CheckOptions {
   std::string step;
   std::vector<std::string> cases;  ///< only these; empty: all
-  std::string context;             ///< "osmesa", "egl", "window", or empty: the first of them that is there
-  std::string earlier;             ///< "mine", "solution", or empty: yours where it has passed
+  std::string context;             ///< "osmesa", "egl", "window", or empty: the first available one
+  std::string earlier;             ///< "mine", "solution", or empty: yours for steps that you have passed
   bool live = false;               ///< compare with what the solution draws here, not with the stored references
   std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
-  std::filesystem::path sources;   ///< where the own NN-name/ folders are; empty: steps/
+  std::filesystem::path sources;   ///< the folder with your NN-name/ folders; empty: steps/
   bool heatmap = false, json = false, skip_report = false;
 };
 int run_check(const CheckOptions& options);
 
 struct WatchOptions {
   std::string step;     ///< empty: the first that has not passed
-  std::string context;  ///< "osmesa", "egl", "window", or empty: the first of them that is there
+  std::string context;  ///< "osmesa", "egl", "window", or empty: the first available one
   std::string earlier;  ///< as for check
   bool live = false;    ///< as for check
 };
@@ -45,7 +45,7 @@ int run_run(const RunOptions& options);
 
 struct HintOptions {
   std::string step, case_name;  ///< without a case: the first that the last check did not pass
-  std::optional<int> level;     ///< 1..3: shown without being counted
+  std::optional<int> level;     ///< 1..3: show this level without counting it
 };
 int run_hint(const HintOptions& options);
 
@@ -59,21 +59,21 @@ int run_next(const NextOptions& options);
 
 struct ResetOptions {
   std::string file;    ///< as for find_student_file
-  bool force = false;  ///< without asking
+  bool force = false;  ///< do not ask
 };
 int run_reset(const ResetOptions& options);
 
 struct CompareOptions {
   std::string step, function;  ///< without a function: all that have passed
-  bool spoil = false;          ///< those that have not passed, too
+  bool spoil = false;          ///< also those that have not passed
 };
 int run_compare(const CompareOptions& options);
 
 struct DoctorOptions {
   bool json = false;
-  std::string found;    ///< what the launcher has found out (cli/student/doctor.hpp: parse_findings)
+  std::string found;    ///< the launcher's findings (cli/student/doctor.hpp: parse_findings)
   std::string install;  ///< the system's command for installing packages; empty: unknown
-  std::string context;  ///< only make this context and tell of it: how doctor tries one in a program of its own
+  std::string context;  ///< only test this context: doctor does this in a separate process
 };
 int run_doctor(const DoctorOptions& options);
 
@@ -86,7 +86,7 @@ int run_submit(const SubmitOptions& options);
 struct GradeOptions {
   std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
   std::filesystem::path out;         ///< empty: out/grade/NAME
-  std::vector<std::string> steps;    ///< asked for even where they are absent; empty: those that are there
+  std::vector<std::string> steps;    ///< grade these, present or not; empty: those that are present
   int workers = 2;
   std::string context;
   std::optional<std::uint64_t> shuffle;
@@ -96,7 +96,7 @@ int run_grade(const GradeOptions& options);
 
 struct ReleaseOptions {
   std::vector<std::string> steps;  ///< or "all"
-  std::filesystem::path out;       ///< a folder that is not there or empty, or a path that ends in .zip
+  std::filesystem::path out;       ///< a new or empty folder, or a path that ends in .zip
   std::string earlier = "none";    ///< or "source", "library"
 };
 int run_release(const ReleaseOptions& options);
@@ -134,7 +134,7 @@ int run_mutate(const MutateOptions& options);
 
 struct AuditOptions {
   std::vector<std::string> steps;
-  std::filesystem::path out;  ///< where the JSON goes beside; empty: nowhere
+  std::filesystem::path out;  ///< also write the JSON to this file; empty: do not
   bool json = false;
 };
 int run_audit(const AuditOptions& options);
@@ -154,20 +154,20 @@ int run_skeleton(const SkeletonOptions& options);
 struct BenchOptions {
   std::string step = "02";
   int repeats = 5;
-  bool baseline = false;  ///< only the frames beside those of a baseline
+  bool baseline = false;  ///< only compare frames with those of a baseline
   bool json = false;
 };
 int run_bench(const BenchOptions& options);
 
 struct MeasureOptions {
   std::string step;
-  std::string setting;        ///< only the sweeps of this one; empty: everything
-  std::string context;        ///< "osmesa", "egl", "window", or empty: the first of them that is there
+  std::string setting;        ///< only the sweeps of this setting; empty: everything
+  std::string context;        ///< "osmesa", "egl", "window", or empty: the first available one
   std::filesystem::path out;  ///< empty: out/measure/NN-name
-  int frames = 15;            ///< that each picture is timed with
-  bool mine = false;          ///< the student's own files, although there is a solution
+  int frames = 15;            ///< to time each picture with
+  bool mine = false;          ///< the student's files, even if there is a solution
   bool handout = false;       ///< write the plots of the handout instead
-  bool check = false;         ///< with `handout`: write nothing, fail where a number has changed
+  bool check = false;         ///< with `handout`: write nothing, fail if a number has changed
   bool json = false;
 };
 int run_measure(const MeasureOptions& options);
@@ -175,7 +175,7 @@ int run_measure(const MeasureOptions& options);
 struct StabilityOptions {
   std::string step;           ///< or "common"; empty: all tables
   std::filesystem::path out;  ///< folder of the plots and of all rows as CSV; empty: out/stability
-  bool all = false;           ///< print every row, and not only the worst
+  bool all = false;           ///< print every row, not only the worst
   bool json = false;
 };
 int run_stability(const StabilityOptions& options);

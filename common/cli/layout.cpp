@@ -36,7 +36,7 @@ bool is_number(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-/// How well `text` names `step`: 2 its number or its name, 1 a part of the name, 0 not at all.
+/// Whether `text` names `step`: 2 for its number or name, 1 for a part of the name, otherwise 0.
 int match(const CourseStep& step, const std::string& text) {
   if (text == step.name || (is_number(text) && is_number(step.number()) && std::stoi(text) == std::stoi(step.number())))
     return 2;
@@ -50,7 +50,7 @@ ProjectFolders project_folders() {
   if (const char* work = std::getenv("ATELIER_WORK"); work && *work) {
     folders.work = fs::absolute(work);
     if (!fs::is_directory(folders.steps()))
-      throw Error(fmt::format("ATELIER_WORK is '{}', and there is no folder steps in it", work));
+      throw Error(fmt::format("ATELIER_WORK is '{}', but that has no folder steps", work));
   }
   return folders;
 }
@@ -83,10 +83,11 @@ const CourseStep& resolve_step(const std::vector<CourseStep>& course, const std:
     if (how == 1) parts.push_back(&step);
   }
   if (parts.size() == 1) return *parts.front();
-  if (parts.empty()) throw Error(fmt::format("step '{}': there is none{}", text, suggestion(text, names_of(course))));
+  if (parts.empty())
+    throw Error(fmt::format("step '{}': there is no such step{}", text, suggestion(text, names_of(course))));
   std::vector<std::string> names;
   for (const CourseStep* step : parts) names.push_back(step->name);
-  throw Error(fmt::format("step '{}': this may be {}", text, join(names, " or ")));
+  throw Error(fmt::format("step '{}': this could be {}", text, join(names, " or ")));
 }
 
 std::vector<CourseStep> resolve_steps(const std::vector<CourseStep>& course, const std::vector<std::string>& texts) {

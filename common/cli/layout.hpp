@@ -1,4 +1,4 @@
-// Where everything stands: the project's folders, and the steps of the course as CMake has told them.
+// The project's folders, and the steps of the course as CMake lists them.
 #pragma once
 
 #include <filesystem>
@@ -7,22 +7,22 @@
 
 namespace atelier {
 
-/// One step as the build knows it.
+/// One step of the course.
 struct CourseStep {
-  std::string name;                  ///< "02-blinn-phong": its folder below steps/, solutions/, tests/cases/ ...
+  std::string name;                  ///< "02-blinn-phong": its folder in steps/, solutions/, tests/cases/ ...
   std::string title;                 ///< "Light and materials after Blinn and Phong"
-  std::vector<std::string> files;    ///< what a student writes; plain names
+  std::vector<std::string> files;    ///< what a student writes; names without a folder
   std::vector<std::string> headers;  ///< what its C++ may include, as it is included
   std::vector<std::string> uses;     ///< the earlier steps whose functions it calls
   std::string number() const { return name.substr(0, name.find('-')); }  ///< "02"
 };
 
-/// The folders of the project, all absolute, and the course in order.
+/// The folders of the project, all absolute.
 struct ProjectFolders {
-  std::filesystem::path root;   ///< where ./atelier lies
-  std::filesystem::path build;  ///< build/release, or what ATELIER_BUILD says
-  /// Whose work it is: steps/, out/ and progress.json lie here. Empty: the root. The variable ATELIER_WORK names
-  /// another folder, for several students with one copy of the project.
+  std::filesystem::path root;   ///< the folder of ./atelier
+  std::filesystem::path build;  ///< build/release, or ATELIER_BUILD
+  /// The folder of the student's steps/, out/ and progress.json; empty: the root. The variable ATELIER_WORK sets
+  /// another folder, so that several students can share one copy of the project.
   std::filesystem::path work{};
 
   const std::filesystem::path& own() const { return work.empty() ? root : work; }
@@ -34,7 +34,7 @@ struct ProjectFolders {
   std::filesystem::path handouts() const { return root / "handouts"; }
   std::filesystem::path out() const { return own() / "out"; }
   std::filesystem::path progress() const { return own() / "progress.json"; }  ///< see cli/student/progress_record.hpp
-  /// Of a release alone: the skeletons that it brings, and those that were given to the student (skeleton_update.hpp).
+  /// In releases only: the release's skeletons, and those last given to the student (skeleton_update.hpp).
   std::filesystem::path skeletons() const { return root / "skeletons"; }
   std::filesystem::path given() const { return own() / ".given"; }
 
@@ -51,9 +51,9 @@ struct ProjectFolders {
 
   std::filesystem::path program(const std::string& step) const { return build / "bin" / step; }
   std::filesystem::path step_flags() const { return build / "step_flags.json"; }
-  /// Compiled step libraries: below "solutions" the finished ones.
+  /// Compiled step libraries; "solutions" in it has those of the solutions.
   std::filesystem::path implementations() const { return build / "implementations"; }
-  /// The student's own, which are nobody else's.
+  /// The student's compiled libraries.
   std::filesystem::path own_implementations() const {
     return work.empty() ? implementations() / "mine" : work / ".implementations";
   }
@@ -62,17 +62,17 @@ struct ProjectFolders {
   std::filesystem::path shader_cache() const { return build / "cache" / "shaders"; }
 };
 
-/// The folders that this program was built for. Throws Error where ATELIER_WORK names a folder without steps/.
+/// The folders that this program was built for. Throws Error if ATELIER_WORK names a folder without steps/.
 ProjectFolders project_folders();
 
-/// The steps of a step_flags.json (written by CMake), by name. Throws Error naming the file and the member.
+/// The steps in step_flags.json (written by CMake), sorted by name. Throws Error naming the file and the member.
 std::vector<CourseStep> read_course(const std::filesystem::path& step_flags);
 
-/// The step meant by "02", "2", "02-blinn-phong" or a part that only one name has, such as "phong". Throws Error, with
-/// the steps that there are, for none and for several.
+/// The step meant by "02", "2", "02-blinn-phong" or a unique part of a name, such as "phong". Throws Error, with
+/// possible steps, if there is none or several match.
 const CourseStep& resolve_step(const std::vector<CourseStep>& course, const std::string& text);
 
-/// The steps meant by `texts`, in the order of the course; all where there is no text. Throws as resolve_step does.
+/// The steps meant by `texts`, in the order of the course; all if `texts` is empty. Throws as resolve_step does.
 std::vector<CourseStep> resolve_steps(const std::vector<CourseStep>& course, const std::vector<std::string>& texts);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// The program behind ./atelier. CLI11 costs six seconds to compile, so it is included here and nowhere else.
+// The program behind ./atelier. CLI11 takes six seconds to compile, so only this file includes it.
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
@@ -19,12 +19,12 @@
 namespace atelier {
 namespace {
 
-/// The command line as it is being described; the subcommand that was named leaves in `action` what is to be done.
+/// The command line. Parsing it stores the chosen subcommand's call in `action`.
 struct Interface {
   CLI::App app{"A course in real-time rendering that grades itself."};
   std::function<int()> action;
 
-  /// A subcommand whose options are read into `options` and handed to `run`.
+  /// Adds a subcommand: its options are read into `options` and passed to `run`.
   template <class Options>
   CLI::App* add(const char* name, const char* text, Options& options, int (*run)(const Options&)) {
     CLI::App* command = app.add_subcommand(name, text);
@@ -37,18 +37,19 @@ void add_step(CLI::App* command, std::string& step) {
   command->add_option("step", step, "A step: 02, 2, 02-blinn-phong or a part of the name")->required();
 }
 void add_steps(CLI::App* command, std::vector<std::string>& steps) {
-  command->add_option("step", steps, "Steps; without one: all");
+  command->add_option("step", steps, "Steps; default: all");
 }
 void add_json(CLI::App* command, bool& json) {
-  command->add_flag("--json", json, "Print for programs");
+  command->add_flag("--json", json, "Print JSON for programs");
 }
 void add_context(CLI::App* command, std::string& context) {
-  command->add_option("--context", context, "Where OpenGL comes from; without it: OSMesa, or EGL where that is missing")
+  command->add_option("--context", context, "The source of OpenGL; default: OSMesa, or EGL if OSMesa is missing")
       ->check(CLI::IsMember({"osmesa", "egl", "window"}));
 }
 void add_earlier(CLI::App* command, std::string& earlier) {
   command
-      ->add_option("--earlier", earlier, "Who stands behind the earlier steps; without it: you, where you have passed")
+      ->add_option("--earlier", earlier,
+                   "Whose code to use for earlier steps; default: yours for steps that you have passed")
       ->check(CLI::IsMember({"mine", "solution"}));
 }
 
@@ -56,7 +57,7 @@ void add_references(CLI::App* command, bool& live) {
   command
       ->add_option_function<std::string>(
           "--references", [&live](const std::string& which) { live = which == "live"; },
-          "stored, or live: what the solution draws on this driver; without it: stored")
+          "stored, or live: what the solution draws on this driver; default: stored")
       ->check(CLI::IsMember({"stored", "live"}));
 }
 
@@ -93,116 +94,115 @@ void describe_for_students(Interface& interface, AllOptions& options) {
 
   CLI::App* check = interface.add("check", "Build, draw and judge your own files of a step", options.check, run_check);
   add_step(check, options.check.step);
-  check->add_option("--case", options.check.cases, "Only this case; may stand several times");
+  check->add_option("--case", options.check.cases, "Only this case; can be repeated");
   add_context(check, options.check.context);
   add_earlier(check, options.check.earlier);
   add_references(check, options.check.live);
-  check->add_option("--report", options.check.report, "Folder of the report; without it: out/check/STEP");
-  check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; without it: steps")
+  check->add_option("--report", options.check.report, "Folder of the report; default: out/check/STEP");
+  check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; default: steps")
       ->check(CLI::ExistingDirectory);
-  check->add_flag("--heatmap", options.check.heatmap, "Show where a picture differs, in letters");
-  check->add_flag("--skip-report", options.check.skip_report, "Print the verdict and write nothing");
+  check->add_flag("--heatmap", options.check.heatmap, "Show as text where a picture differs");
+  check->add_flag("--skip-report", options.check.skip_report, "Print the verdict, but write no files");
   add_json(check, options.check.json);
 
-  CLI::App* watch = interface.add("watch", "At every save a verdict, and one thing to mend", options.watch, run_watch);
-  watch->add_option("step", options.watch.step, "A step; without one: the first that has not passed");
+  CLI::App* watch = interface.add("watch", "Check at every save, and show one thing to fix", options.watch, run_watch);
+  watch->add_option("step", options.watch.step, "A step; default: the first that you have not passed");
   add_context(watch, options.watch.context);
   add_earlier(watch, options.watch.earlier);
   add_references(watch, options.watch.live);
 
   CLI::App* run = interface.add("run", "Build your own files of a step and open its program", options.run, run_run);
   add_earlier(run, options.run.earlier);
-  run->prefix_command()->footer("STEP and then the program's own arguments: ./atelier run 02 --scene teapot");
+  run->prefix_command()->footer("STEP, followed by arguments for its program: ./atelier run 02 --scene teapot");
 
-  CLI::App* hint = interface.add("hint", "The next of a case's three hints", options.hint, run_hint);
+  CLI::App* hint = interface.add("hint", "Show the next of a case's three hints", options.hint, run_hint);
   add_step(hint, options.hint.step);
-  hint->add_option("case", options.hint.case_name, "A case; without one: the first that the last check did not pass");
+  hint->add_option("case", options.hint.case_name, "A case; default: the first that failed in the last check");
   hint->add_option("--level", options.hint.level, "Show this level again, without counting it")
       ->check(CLI::Range(1, 3));
 
-  CLI::App* progress = interface.add("progress", "How far you are, step by step", options.progress, run_progress);
+  CLI::App* progress = interface.add("progress", "Your progress in each step", options.progress, run_progress);
   add_json(progress, options.progress.json);
 
   interface.add("next", "The next step: its goal, its files and how to begin", options.next, run_next);
 
-  CLI::App* reset = interface.add("reset", "Your file back to its skeleton; a copy is kept", options.reset, run_reset);
+  CLI::App* reset =
+      interface.add("reset", "Reset your file to its skeleton, and keep a copy", options.reset, run_reset);
   reset->add_option("file", options.reset.file, "One of your files: 02/blinn_phong.cpp, or blinn_phong.cpp")
       ->required();
   reset->add_flag("--force", options.reset.force, "Do not ask");
 
-  CLI::App* compare = interface.add("compare", "Your functions and the solution's, once they have passed",
+  CLI::App* compare = interface.add("compare", "Show your functions beside the solution's, once they have passed",
                                     options.compare, run_compare);
   add_step(compare, options.compare.step);
-  compare->add_option("function", options.compare.function, "One of your functions; without one: all that have passed");
-  compare->add_flag("--spoil", options.compare.spoil, "Those that have not passed, too");
+  compare->add_option("function", options.compare.function, "One of your functions; default: all that have passed");
+  compare->add_flag("--spoil", options.compare.spoil, "Also functions that have not passed");
 
   CLI::App* doctor =
-      interface.add("doctor", "What this machine has, what it lacks, and what mends it", options.doctor, run_doctor);
+      interface.add("doctor", "What this machine has, what it lacks, and how to fix it", options.doctor, run_doctor);
   add_json(doctor, options.doctor.json);
-  doctor->add_option("--found", options.doctor.found)->group("");  // these are the launcher's, and doctor's own
+  doctor->add_option("--found", options.doctor.found)->group("");  // hidden: for the launcher and for doctor itself
   doctor->add_option("--install", options.doctor.install)->group("");
   doctor->add_option("--try", options.doctor.context)->group("");
 
   CLI::App* submit =
-      interface.add("submit", "Pack your own files of a step, to be handed in", options.submit, run_submit);
+      interface.add("submit", "Pack your own files of a step to hand them in", options.submit, run_submit);
   add_step(submit, options.submit.step);
-  submit->add_option("--out", options.submit.out, "The ZIP; without it: out/submit/STEP.zip");
+  submit->add_option("--out", options.submit.out, "The ZIP; default: out/submit/STEP.zip");
 }
 
 void describe_for_graders(Interface& interface, AllOptions& options) {
   GradeOptions& grade = options.grade;
   CLI::App* command = interface.add("grade", "Grade a submission", grade, run_grade);
-  command->add_option("submission", grade.submission, "A folder with a folder a step inside, or a ZIP of one")
+  command->add_option("submission", grade.submission, "A folder that contains a folder for each step, or a ZIP of it")
       ->required();
-  command->add_option("--out", grade.out, "Folder of the results; without it: out/grade/NAME");
-  command->add_option("--step", grade.steps, "Grade this step, absent or not; may stand several times");
-  command->add_option("--workers", grade.workers, "Programs that draw at a time")
+  command->add_option("--out", grade.out, "Folder of the results; default: out/grade/NAME");
+  command->add_option("--step", grade.steps, "Grade this step, even if it is absent; can be repeated");
+  command->add_option("--workers", grade.workers, "Number of programs that draw at the same time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--shuffle", grade.shuffle, "Ask for the cases in an order drawn from this seed");
+  command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order with this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);
 
-  CLI::App* release = interface.add("release", "Make what students get: no solution, no patch, no hidden case",
+  CLI::App* release = interface.add("release", "Make the students' version: no solutions, patches or hidden cases",
                                     options.release, run_release);
   release->add_option("step", options.release.steps, "Steps, or all")->required();
-  release->add_option("--out", options.release.out, "A folder that is not there or empty, or a file that ends in .zip")
-      ->required();
+  release->add_option("--out", options.release.out, "A new or empty folder, or a file that ends in .zip")->required();
   release
       ->add_option("--earlier", options.release.earlier,
-                   "What stands behind earlier steps that these use: the student's own (none), the solution (source), "
-                   "or the solution compiled for machines like this one (library); shaders cannot be compiled, and so "
-                   "can be read in either")
+                   "What to include for earlier steps that these use: skeletons (none), solutions (source), or "
+                   "solutions compiled for machines like this one (library); shaders are always readable text")
       ->check(CLI::IsMember({"none", "source", "library"}))
       ->capture_default_str();
 }
 
 void describe_measure(Interface& interface, MeasureOptions& options) {
   CLI::App* measure =
-      interface.add("measure", "Error against time and memory, setting by setting, with plots", options, run_measure);
+      interface.add("measure", "Measure error, time and memory of each setting, with plots", options, run_measure);
   add_step(measure, options.step);
-  measure->add_option("--setting", options.setting, "Only the sweeps of this setting; without it: all, and the fronts");
-  CLI::Option* out = measure->add_option("--out", options.out, "Folder of the results; without it: out/measure/STEP");
-  CLI::Option* frames = measure->add_option("--frames", options.frames, "Frames that each picture is timed with")
+  measure->add_option("--setting", options.setting, "Only the sweeps of this setting; default: all, and the fronts");
+  CLI::Option* out = measure->add_option("--out", options.out, "Folder of the results; default: out/measure/STEP");
+  CLI::Option* frames = measure->add_option("--frames", options.frames, "Number of frames to time each picture with")
                             ->check(CLI::Range(1, 10000))
                             ->capture_default_str();
   CLI::Option* mine =
-      measure->add_flag("--mine", options.mine, "Your own files; without it: the solution, where there is one");
+      measure->add_flag("--mine", options.mine, "Your own files; default: the solution, if there is one");
   CLI::Option* handout =
-      measure->add_flag("--handout", options.handout, "Draw the plots of the step's handout again, and nothing else");
-  for (CLI::Option* useless : {out, frames, mine}) handout->excludes(useless);
-  measure->add_flag("--check", options.check, "With --handout: write nothing; fail where a number has changed")
+      measure->add_flag("--handout", options.handout, "Only draw the plots of the step's handout again");
+  for (CLI::Option* unused : {out, frames, mine}) handout->excludes(unused);
+  measure->add_flag("--check", options.check, "With --handout: write nothing; fail if a number has changed")
       ->needs(handout);
   add_context(measure, options.context);
   add_json(measure, options.json);
 }
 
 void describe_stability(Interface& interface, StabilityOptions& options) {
-  CLI::App* stability = interface.add("stability", "Try every function at its extremes, against double precision",
+  CLI::App* stability = interface.add("stability", "Test every function at its extremes against double precision",
                                       options, run_stability);
-  stability->add_option("step", options.step, "A step, or common; without one: all");
-  stability->add_option("--out", options.out, "Folder of the plots, and of all rows as CSV; without it: out/stability");
-  stability->add_flag("--all", options.all, "Print every row, and not only the worst");
+  stability->add_option("step", options.step, "A step, or common; default: all");
+  stability->add_option("--out", options.out, "Folder of the plots and of all rows as CSV; default: out/stability");
+  stability->add_flag("--all", options.all, "Print every row, not only the worst");
   add_json(stability, options.json);
 }
 
@@ -253,46 +253,44 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);
   add_steps(skeleton, options.skeleton.steps);
-  skeleton->add_flag("--check", options.skeleton.check, "Write nothing; fail where something would change");
-  skeleton->add_flag("--force", options.skeleton.force, "Overwrite files that somebody has worked on");
+  skeleton->add_flag("--check", options.skeleton.check, "Write nothing; fail if something would change");
+  skeleton->add_flag("--force", options.skeleton.force, "Overwrite files that have been edited");
 
   CLI::App* reference =
       interface.add("reference", "Draw the reference pictures with the solution", options.reference, run_reference);
   add_steps(reference, options.reference.steps);
-  reference->add_option("--case", options.reference.cases, "Only this case; may stand several times");
-  reference->add_flag("--check", options.reference.check, "Write nothing; fail where something would change");
+  reference->add_option("--case", options.reference.cases, "Only this case; can be repeated");
+  reference->add_flag("--check", options.reference.check, "Write nothing; fail if something would change");
   add_json(reference, options.reference.json);
 
   CLI::App* audit =
       interface.add("audit", "Prove that every mistake is caught and every variant passes", options.audit, run_audit);
   add_steps(audit, options.audit.steps);
-  audit->add_option("--out", options.audit.out, "Write the JSON to this file as well");
+  audit->add_option("--out", options.audit.out, "Also write the JSON to this file");
   add_json(audit, options.audit.json);
 
   CLI::App* bench =
       interface.add("bench", "Measure the time from an edit to its verdict, and its parts", options.bench, run_bench);
-  bench->add_option("step", options.bench.step, "The step that is edited")->capture_default_str();
-  bench->add_option("--repeats", options.bench.repeats, "Runs a figure; the median counts")
+  bench->add_option("step", options.bench.step, "The step to edit")->capture_default_str();
+  bench->add_option("--repeats", options.bench.repeats, "Runs per figure; the median counts")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
-  bench->add_flag("--baseline", options.bench.baseline, "Only the step's frames beside those of a baseline");
+  bench->add_flag("--baseline", options.bench.baseline, "Only compare the step's frames with those of a baseline");
   add_json(bench, options.bench.json);
 
   describe_measure(interface, options.measure);
   describe_stability(interface, options.stability);
 
-  CLI::App* test = interface.add("test", "Everything that must hold", options.test, run_test);
+  CLI::App* test = interface.add("test", "Run the project's tests", options.test, run_test);
   auto* quick = test->add_flag_callback(
       "--quick", [&] { options.test.tier = TestOptions::Tier::quick; }, "Under three minutes");
   auto* all = test->add_flag_callback(
-                      "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "However long it takes")
+                      "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "Everything, however long it takes")
                   ->excludes(quick);
-  test->add_option("--step", options.test.step, "What must hold of this step, and nothing else")
-      ->excludes(quick)
-      ->excludes(all);
+  test->add_option("--step", options.test.step, "Only the tests of this step")->excludes(quick)->excludes(all);
 }
 
-/// CLI11 would say that a command is missing; what helps is which one was meant.
+/// CLI11 would only say that a command is missing; this suggests the nearest one.
 void refuse_unknown_command(const CLI::App& app, int count, char** arguments) {
   if (count < 2 || arguments[1][0] == '-') return;
   std::vector<std::string> known;
@@ -302,7 +300,7 @@ void refuse_unknown_command(const CLI::App& app, int count, char** arguments) {
     throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
 }
 
-/// The step, and what is its program's; --earlier is run's own wherever it stands.
+/// The first argument is the step, the rest are for its program, except --earlier.
 void take_arguments_of_run(const std::vector<std::string>& given, RunOptions& run) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (given[i] == "--earlier" && i + 1 < given.size())
@@ -331,7 +329,7 @@ int run(int count, char** arguments) {
     throw Error(std::string(error.what()) + " (see ./atelier --help)");
   }
   take_arguments_of_run(interface.app.get_subcommand("run")->remaining(), options.run);
-  // The doctor looks and changes nothing.
+  // doctor must not change anything.
   if (!interface.app.got_subcommand("doctor"))
     for (const std::string& line : update_skeletons(project_folders())) fmt::print(stderr, "{}\n", line);
   return interface.action();
@@ -341,19 +339,20 @@ int run(int count, char** arguments) {
 }  // namespace atelier
 
 int main(int count, char** arguments) {
-  // Whoever listens may hang up, as in "| head": what is open is then still closed, and put away. Ended like others.
+  // The reader of stdout may exit early, as in "| head". Ignore SIGPIPE, so that destructors still run; then exit with
+  // the status that a shell reports for SIGPIPE.
   ::signal(SIGPIPE, SIG_IGN);
-  constexpr int hung_up = 128 + SIGPIPE;
+  constexpr int broken_pipe = 128 + SIGPIPE;
   int status = atelier::exit_usage;
   try {
     status = atelier::run(count, arguments);
-    // What a pipe or a full disk did not take was not said.
+    // Report output that a pipe or a full disk did not accept.
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
       throw atelier::Error("the output could not be written in full");
   } catch (const std::exception& error) {
     if (std::fflush(stdout) != 0 || std::ferror(stdout)) {
       pollfd listener{STDOUT_FILENO, POLLOUT, 0};
-      if (::poll(&listener, 1, 0) == 1 && (listener.revents & POLLERR)) return hung_up;
+      if (::poll(&listener, 1, 0) == 1 && (listener.revents & POLLERR)) return broken_pipe;
     }
     fmt::print(stderr, "error: {}\n", error.what());
     status = atelier::exit_usage;

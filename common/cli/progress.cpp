@@ -41,7 +41,7 @@ void Progress::clear() {
 
 void Progress::rewrite(const std::string& text) {
   if (!terminal_) return;
-  // A line that fills the last column would wrap, and what has wrapped cannot be written over.
+  // Leave the last column free: a wrapped line could not be overwritten.
   fmt::print(out_, "\r{}\x1b[K", shorten(with_place(text), std::size_t(width_ - 1)));
   std::fflush(out_);
 }

@@ -1,4 +1,4 @@
-// How far a long command has got, on stderr, so that stdout stays what was asked for.
+// The progress of a long command, on stderr, so that stdout has only the results.
 #pragma once
 
 #include <cstdio>
@@ -8,13 +8,13 @@
 
 namespace atelier {
 
-/// On a terminal one line that is written over and taken away in the end; elsewhere (a file, a pipe, TERM=dumb) one
-/// plain line for each finished step.
+/// On a terminal one line that is overwritten, and erased at the end; otherwise (a file, a pipe, TERM=dumb) a line for
+/// each finished step.
 class Progress {
  public:
-  /// `steps` are to come; `terminal` says whether `out` can rewrite a line, which is then kept below `width` columns.
+  /// For a number of `steps`. `terminal`: `out` can overwrite a line, which gets fewer than `width` columns.
   Progress(std::FILE* out, bool terminal, int width, std::size_t steps);
-  /// On stderr, as it is.
+  /// On stderr, with its properties.
   explicit Progress(std::size_t steps);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;
@@ -23,7 +23,7 @@ class Progress {
   void building(const std::string& step);                              ///< "01-transforms: building (step 2 of 3)"
   void judged(const std::string& step, std::size_t k, std::size_t n);  ///< "01-transforms: case 3 of 14 (step 2 of 3)"
   void finished(const judge::StepResult& step);  ///< "01-transforms: 12 / 14 points, 13 of 14 cases passed (...)"
-  void clear();                                  ///< takes the line of a terminal away
+  void clear();                                  ///< erases the line on a terminal
 
  private:
   void rewrite(const std::string& text);

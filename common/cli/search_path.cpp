@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the last full check passed every case that the step has, with the files that are there now.
+/// Whether the last full check passed every case of the step, and the files have not changed since.
 bool has_passed(const ProjectFolders& folders, const CourseStep& step) {
   const Standing standing = standing_of(folders, step, read_progress(folders.progress()));
   return standing.passed && !standing.changed;
@@ -66,7 +66,7 @@ Implementations search_path(const ProjectFolders& folders, const CourseStep& ste
     for (const fs::path& folder : {from.libraries, from.sources})
       if (fs::is_directory(folder)) roots.push_back({folder, only});
   };
-  roots.push_back({folders.steps(), step.name + "/given"});  // before all: nobody's own answers for what is given
+  roots.push_back({folders.steps(), step.name + "/given"});  // first, so that no other code can replace the given code
   add(code, step.name);
   for (const auto& [name, owner] : earlier) add(code_of(folders, owner), name);
   for (const Owner owner : {Owner::solution, Owner::mine})
@@ -74,8 +74,8 @@ Implementations search_path(const ProjectFolders& folders, const CourseStep& ste
       if (other != step.name) add(code_of(folders, owner), other);
   for (const Implementations::Root& root : roots)
     if (root.folder.string().find(':') != std::string::npos)
-      throw Error(fmt::format("{}: a folder with ':' in its path cannot be used; move it, or give it another name",
-                              root.folder.string()));
+      throw Error(
+          fmt::format("{}: a folder with ':' in its path cannot be used; move or rename it", root.folder.string()));
   return Implementations(std::move(roots));
 }
 

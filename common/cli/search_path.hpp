@@ -1,5 +1,4 @@
-// Whose code a run is made of: the code under judgement for its own step, and for the steps that it stands on the
-// student's or the solution's.
+// Whose code a run uses: the judged code for its own step, and the student's or the solution's for earlier steps.
 #pragma once
 
 #include <map>
@@ -13,28 +12,26 @@
 namespace atelier {
 
 enum class Owner { mine, solution };
-std::string to_string(Owner owner);  ///< "yours", "solution": as reports say it
+std::string to_string(Owner owner);  ///< "yours", "solution": for reports
 
-/// The student's own files at home, and the finished ones.
+/// The folders of the student's code, or of the solutions.
 grade::Code code_of(const ProjectFolders& folders, Owner owner);
 
-/// Whether this owner has code for the step: a release may come without solutions.
+/// Whether this owner has code for the step: a release may have no solutions.
 bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner);
 
-/// By earlier step.
+/// Owners by earlier step.
 using Owners = std::map<std::string, Owner>;
 
-/// Who stands behind each step that `step` uses: `asked` ("mine" or "solution") where it is there. With an empty
-/// `asked`: the student where the last full `check` of that step passed every case with the very files that are there
-/// now (cli/student/progress_record.hpp), the solution otherwise, so that nobody is stuck. Throws Error for another
-/// word.
+/// The owner of the code for each step that `step` uses: `asked` ("mine" or "solution") if that exists, otherwise the
+/// other one. If `asked` is empty: the student if the last full `check` of that step passed every case and its files
+/// have not changed since (cli/student/progress_record.hpp), otherwise the solution. Throws Error for another `asked`.
 Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                      const std::string& asked);
 
-/// The search path: what is given with `step`, `code` for `step` alone, then each earlier step's owner, and for every
-/// other step whatever is there. Nobody but `code` answers for what a student writes in `step`:
-/// who takes a file of his away while it is judged is not given the solution's. Throws Error where a folder has ':' in
-/// its path, which parts the folders of a search path.
+/// The search path: the given code of `step`, `code` for `step` only, then each earlier step's owner, and for every
+/// other step whatever exists. The student's files of `step` come only from `code`, so a missing file is never replaced
+/// by the solution's. Throws Error if a folder has ':', the separator of search paths, in its path.
 Implementations search_path(const ProjectFolders& folders, const CourseStep& step, const grade::Code& code,
                             const Owners& earlier);
 

@@ -6,22 +6,22 @@ namespace atelier {
 namespace {
 
 constexpr int stopping_signals[] = {SIGINT, SIGTERM, SIGHUP};
-volatile sig_atomic_t taken = 0;
+volatile sig_atomic_t received = 0;
 
-void take(int number) {
-  if (taken != 0) {
+void receive(int number) {
+  if (received != 0) {
     ::signal(number, SIG_DFL);
-    ::raise(number);  // at once, when this handler returns
+    ::raise(number);  // takes effect when this handler returns
   }
-  taken = number;
+  received = number;
 }
 
 }  // namespace
 
 StopOnSignal::StopOnSignal() {
-  taken = 0;
+  received = 0;
   struct sigaction action {};
-  action.sa_handler = take;
+  action.sa_handler = receive;
   action.sa_flags = SA_RESTART;
   for (std::size_t i = 0; i < std::size(stopping_signals); ++i) {
     ::sigaction(stopping_signals[i], nullptr, &before_[i]);
@@ -31,11 +31,11 @@ StopOnSignal::StopOnSignal() {
 
 StopOnSignal::~StopOnSignal() {
   for (std::size_t i = 0; i < std::size(stopping_signals); ++i) ::sigaction(stopping_signals[i], &before_[i], nullptr);
-  if (taken != 0) ::raise(taken);
+  if (received != 0) ::raise(received);
 }
 
-bool StopOnSignal::asked() const {
-  return taken != 0;
+bool StopOnSignal::requested() const {
+  return received != 0;
 }
 
 }  // namespace atelier

@@ -1,22 +1,22 @@
-// Ctrl-C while the programs of somebody's step run: they are ended, and what was written for them is taken away, before
-// this program ends. `watch` has the keyboard for it (cli/student/keyboard.hpp).
+// Handles Ctrl-C while step programs run: they are killed and temporary files are deleted before this program ends.
+// `watch` reads the keyboard instead (cli/student/keyboard.hpp).
 #pragma once
 
 #include <signal.h>
 
 namespace atelier {
 
-/// From when it is made, the first SIGINT, SIGTERM or SIGHUP only asks to stop; a second one ends the program at once.
-/// One that this program was started to ignore stays ignored.
-/// Make it before whatever must be taken away, and one at a time: at the end of its scope the signal does what it was
-/// held back from, so that whoever waits for this program knows what ended it.
+/// From its construction, the first SIGINT, SIGTERM or SIGHUP only requests a stop; a second one ends the program at
+/// once. A signal that was ignored at start stays ignored. Create it before the objects that must be cleaned up, and
+/// only one at a time. The destructor raises the received signal again, so that the parent process sees what ended this
+/// program.
 class StopOnSignal {
  public:
   StopOnSignal();
   ~StopOnSignal();
   StopOnSignal(const StopOnSignal&) = delete;
   StopOnSignal& operator=(const StopOnSignal&) = delete;
-  bool asked() const;
+  bool requested() const;
 
  private:
   struct sigaction before_[3];

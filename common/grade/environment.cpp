@@ -45,7 +45,7 @@ std::string describe_compiler(const fs::path& step_flags) {
   return version ? strict_json::text(*version, step_flags.string() + ": compiler_version") : "unknown";
 }
 
-/// The version, and what git calls the commit; a project that came as an archive has just the version.
+/// The version, with the git commit if the project is a git checkout.
 std::string describe_version(const fs::path& project) {
   if (!fs::exists(project / ".git")) return ATELIER_VERSION;
   try {
@@ -53,7 +53,7 @@ std::string describe_version(const fs::path& project) {
                                       .time_limit = std::chrono::seconds(5)});
     if (git.ok()) return fmt::format("{} ({})", ATELIER_VERSION, first_line(git.output));
   } catch (const Error&) {
-    // No git on this machine: the version has to do.
+    // git is not installed.
   }
   return ATELIER_VERSION;
 }
@@ -63,23 +63,23 @@ std::string gl_string(Gl& gl, GLenum name) {
   return text ? printable(text) : "unknown";
 }
 
-/// To the end of its scope our own environment is without what bends a driver, as a step program's is: what is said of
-/// the driver is then said of the one that draws.
-class DriversOwnWay {
+/// Removes the variables that affect a driver from this process's environment, as for a step program, and restores them
+/// at the end of the scope. So the driver described is the one that draws.
+class DefaultDriverEnvironment {
  public:
-  DriversOwnWay() {
-    held_back_ = own_environment();
-    std::erase_if(held_back_, [](const auto& variable) { return !judge::bends_the_driver(variable.first); });
-    for (const auto& [name, value] : held_back_) ::unsetenv(name.c_str());
+  DefaultDriverEnvironment() {
+    removed_ = own_environment();
+    std::erase_if(removed_, [](const auto& variable) { return !judge::affects_driver(variable.first); });
+    for (const auto& [name, value] : removed_) ::unsetenv(name.c_str());
   }
-  ~DriversOwnWay() {
-    for (const auto& [name, value] : held_back_) ::setenv(name.c_str(), value.c_str(), 1);
+  ~DefaultDriverEnvironment() {
+    for (const auto& [name, value] : removed_) ::setenv(name.c_str(), value.c_str(), 1);
   }
-  DriversOwnWay(const DriversOwnWay&) = delete;
-  DriversOwnWay& operator=(const DriversOwnWay&) = delete;
+  DefaultDriverEnvironment(const DefaultDriverEnvironment&) = delete;
+  DefaultDriverEnvironment& operator=(const DefaultDriverEnvironment&) = delete;
 
  private:
-  std::map<std::string, std::string> held_back_;
+  std::map<std::string, std::string> removed_;
 };
 
 struct Drawing {
@@ -87,7 +87,7 @@ struct Drawing {
 };
 
 Drawing describe_drawing(const std::string& context) {
-  const DriversOwnWay plain;
+  const DefaultDriverEnvironment restored_later;
   try {
     const auto made = context.empty() ? make_headless_context() : make_headless_context(parse_context_kind(context));
     return {to_string(made->kind()),

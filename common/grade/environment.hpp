@@ -1,4 +1,4 @@
-// With what a result was made: pictures depend on the driver, so every result says which.
+// The environment of a run. Pictures depend on the driver, so every result names it.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace atelier::grade {
 
-inline constexpr std::string_view no_driver = "none: ";  ///< what a driver's words begin with where there is none
+inline constexpr std::string_view no_driver = "none: ";  ///< prefix of a driver's description if there is no driver
 
-/// "driver" (OpenGL's own words), "context", "compiler", "cpu", "system", "atelier" (version, and commit where the
-/// project is a git checkout). A context of the kind (empty: the default) is made for it, which takes some 15 ms: ask
-/// after the verdict. Where there is none the driver is "none: WHY", because a result must say even that.
+/// "driver" (as OpenGL names it), "context", "compiler", "cpu", "system", "atelier" (version, and the commit in a git
+/// checkout). Creates a context of the given kind (empty: the default), which takes about 15 ms. If that fails,
+/// "driver" is "none: REASON".
 judge::Environment describe_environment(const std::string& context, const std::filesystem::path& step_flags,
                                         const std::filesystem::path& project);
 
-/// "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)", or "none: WHY"
+/// "OpenGL 4.5 (Core Profile) Mesa 22.3.6, llvmpipe (LLVM 15.0.6, 256 bits)", or "none: REASON".
 std::string describe_driver(const std::string& context);
 
 }  // namespace atelier::grade

@@ -18,7 +18,7 @@ using judge::CaseResult;
 using judge::JudgedCase;
 using judge::StepResult;
 
-/// What the file says of other files: the folder that it lies in, and the mistakes.
+/// Checks that the file's step is its folder's name and that all mistakes in `rejects` exist.
 void check_names(const CaseFile& file, const fs::path& path, const std::vector<judge::Mistake>& mistakes) {
   if (const std::string folder = path.parent_path().filename().string(); file.step != folder)
     throw Error(
@@ -52,7 +52,7 @@ std::vector<judge::Mistake> mistakes_of(const fs::path& path) {
   return fs::exists(path) ? judge::read_mistakes(path, judge::Patches::optional) : std::vector<judge::Mistake>{};
 }
 
-/// "blinn_phong.cpp:12:3: error: ..." out of a compiler's log: the first line that says what is wrong.
+/// The first line with an error in a compiler's log ("blinn_phong.cpp:12:3: error: ..."), or else its first line.
 std::string first_error(const std::string& log) {
   std::string first;
   for (std::size_t begin = 0; begin < log.size();) {
@@ -92,7 +92,7 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
   const std::vector<Answer> answers = judge::run_cases(solution, asks);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     if (!answers[i].pixels)
-      throw Error(fmt::format("live references: the solution of {} does not draw its case '{}' here: {}", file_.step,
+      throw Error(fmt::format("live references: the solution of {} cannot draw case '{}' here: {}", file_.step,
                               asks[i].name, answers[i].error));
     references_.set_pictures(*pictures[i], {*answers[i].pixels});
   }
@@ -101,7 +101,7 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
 
 StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {
   StepResult result = empty_result();
-  // The judge works while the programs draw on.
+  // Judges each answer while the programs draw the next.
   judge::ask_cases(settings, file_.step, file_.cases, [&](std::size_t index, const Answer& answer) {
     result.cases[index] = judge::judge_case(file_.cases[index], answer, references_, keep);
     if (on_case) on_case();
@@ -128,7 +128,7 @@ StepResult StepJudge::judge_absent(const std::string& why) const {
 }
 
 StepResult StepJudge::judge_unbuilt(const judge::Built& built) const {
-  if (!built.not_taken.empty()) return judge_absent(first_error(built.log));
+  if (!built.unusable.empty()) return judge_absent(first_error(built.log));
   Answer answer;
   answer.ended = Answer::Ended::build_failed;
   answer.error = first_error(built.log);

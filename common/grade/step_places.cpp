@@ -13,12 +13,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int deepest = 4;  // levels below the top
-constexpr std::size_t most_entries = 10'000;
-constexpr std::size_t most_found = 3;      // an error is one line
-constexpr std::size_t longest_name = 100;  // bytes of it in a message
+constexpr int max_depth = 4;  // levels below the top
+constexpr std::size_t max_entries = 10'000;
+constexpr std::size_t max_found = 3;   // an error message is one line
+constexpr std::size_t max_name = 100;  // bytes in a message
 
-/// The parts of a path as an archive may write it.
+/// The parts of a path in an archive.
 std::vector<std::string> parts_of(const std::string& path) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0; begin < path.size();) {
@@ -35,11 +35,11 @@ std::vector<std::string> list_folder(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;
   auto entry = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
-  for (; !error && entry != fs::end(entry) && paths.size() < most_entries; entry.increment(error)) {
+  for (; !error && entry != fs::end(entry) && paths.size() < max_entries; entry.increment(error)) {
     paths.push_back(entry->path().lexically_relative(folder).string());
-    if (entry.depth() + 1 >= deepest) entry.disable_recursion_pending();
+    if (entry.depth() + 1 >= max_depth) entry.disable_recursion_pending();
   }
-  std::sort(paths.begin(), paths.end());  // a file system lists in any order
+  std::sort(paths.begin(), paths.end());  // the order of a folder's entries is unspecified
   return paths;
 }
 
@@ -49,12 +49,12 @@ std::vector<std::string> folders_of_steps(const judge::StepFlags& flags, const s
     std::string front;
     for (const std::string& part : parts_of(path)) {
       if (flags.files.contains(part)) {
-        found.insert(shorten(printable(front), longest_name));
+        found.insert(shorten(printable(front), max_name));
         break;
       }
       front += (front.empty() ? "" : "/") + part;
     }
-    if (found.size() == most_found) break;
+    if (found.size() == max_found) break;
   }
   return {found.begin(), found.end()};
 }
@@ -66,10 +66,9 @@ std::vector<std::string> stray_files(const judge::StepFlags& flags, const std::v
     for (const auto& [step, files] : flags.files) {
       const bool listed = !parts.empty() && std::find(files.begin(), files.end(), parts.back()) != files.end();
       const bool inside = parts.size() > 1 && flags.files.contains(parts[parts.size() - 2]);
-      if (listed && !inside)
-        found.insert(fmt::format("{} belongs in {}/", shorten(printable(path), longest_name), step));
+      if (listed && !inside) found.insert(fmt::format("{} belongs in {}/", shorten(printable(path), max_name), step));
     }
-    if (found.size() >= most_found) break;
+    if (found.size() >= max_found) break;
   }
   return {found.begin(), found.end()};
 }

@@ -16,34 +16,34 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Keeps the first notes; behind them stands how many there were more.
+/// Keeps the first notes; a last note says how many more there were.
 void keep_first(std::vector<std::string>& notes) {
-  if (notes.size() <= most_notes) return;
-  const std::size_t more = notes.size() - (most_notes - 1);
-  notes.resize(most_notes - 1);
-  notes.push_back(fmt::format("{} more of the kind", more));
+  if (notes.size() <= max_notes) return;
+  const std::size_t more = notes.size() - (max_notes - 1);
+  notes.resize(max_notes - 1);
+  notes.push_back(fmt::format("{} more", more));
 }
 
-/// Empty for a folder. A step's folder that is a link leads out of what was handed in.
-std::string why_no_folder(const fs::path& path) {
+/// Why a path is not a folder; empty if it is. Links are refused, because they can point outside the submission.
+std::string why_not_folder(const fs::path& path) {
   std::error_code error;
   const fs::file_type type = fs::symlink_status(path, error).type();
   if (type == fs::file_type::symlink) return judge::is_link;
   return type == fs::file_type::directory ? "" : "is not a folder";
 }
 
-bool is_there(const fs::path& path) {
+bool exists_unfollowed(const fs::path& path) {
   std::error_code error;
   return fs::exists(fs::symlink_status(path, error));
 }
 
 bool holds_steps(const judge::StepFlags& flags, const fs::path& folder) {
   return std::any_of(flags.files.begin(), flags.files.end(),
-                     [&](const auto& step) { return is_there(folder / step.first); });
+                     [&](const auto& step) { return exists_unfollowed(folder / step.first); });
 }
 
-/// `source`, or the one folder in it that holds steps where it has none itself.
-fs::path holder_of_steps(const judge::StepFlags& flags, const fs::path& source) {
+/// The folder that holds the steps: `source`, or the only folder in it that does.
+fs::path folder_with_steps(const judge::StepFlags& flags, const fs::path& source) {
   if (holds_steps(flags, source)) return source;
   std::vector<fs::path> holders;
   std::error_code error;
@@ -52,7 +52,7 @@ fs::path holder_of_steps(const judge::StepFlags& flags, const fs::path& source) 
       holders.push_back(entry.path());
   std::sort(holders.begin(), holders.end());
   if (holders.size() > 1)
-    throw Error(fmt::format("{}: has steps in two folders, '{}' and '{}'; give one of them", source.string(),
+    throw Error(fmt::format("{}: has steps in two folders, '{}' and '{}'; name one of them", source.string(),
                             printable(holders[0].filename().string()), printable(holders[1].filename().string())));
   return holders.empty() ? source : holders.front();
 }
@@ -60,16 +60,16 @@ fs::path holder_of_steps(const judge::StepFlags& flags, const fs::path& source) 
 void take_folder(const judge::StepFlags& flags, Submission& submission) {
   for (const auto& [step, files] : flags.files) {
     const fs::path folder = submission.source / step;
-    if (!is_there(folder)) continue;
-    if (const std::string why = why_no_folder(folder); !why.empty()) {
-      submission.passed_over[step] = why;
+    if (!exists_unfollowed(folder)) continue;
+    if (const std::string why = why_not_folder(folder); !why.empty()) {
+      submission.skipped[step] = why;
       submission.notes.push_back(step + " " + why);
       continue;
     }
     submission.present.insert(step);
-    const judge::NotTaken not_taken = judge::take_step_files(flags, step, folder, submission.folder / step);
-    if (!not_taken.empty()) submission.not_taken[step] = not_taken;
-    for (const auto& [file, why] : not_taken)
+    const judge::UnusableFiles unusable = judge::take_step_files(flags, step, folder, submission.folder / step);
+    if (!unusable.empty()) submission.unusable[step] = unusable;
+    for (const auto& [file, why] : unusable)
       if (why != judge::is_missing) submission.notes.push_back(fmt::format("{}/{} {}", step, file, why));
   }
 }
@@ -85,46 +85,45 @@ std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path&
     submission.present.insert(step_of(name));
     write_file(submission.folder / name, bytes);
   }
-  for (const auto& [name, why] : contents.not_taken) {
+  for (const auto& [name, why] : contents.unusable) {
     submission.present.insert(step_of(name));
     submission.notes.push_back(name + " " + why);
   }
-  for (const std::string& sentence : contents.passed_over) submission.notes.push_back(sentence);
+  for (const std::string& sentence : contents.skipped) submission.notes.push_back(sentence);
 
   for (const std::string& step : submission.present)
     for (const std::string& file : flags.files.at(step)) {
       const std::string name = step + "/" + file;
       if (contents.files.contains(name)) continue;
-      const auto found = contents.not_taken.find(name);
-      submission.not_taken[step][file] = found == contents.not_taken.end() ? judge::is_missing : found->second;
+      const auto found = contents.unusable.find(name);
+      submission.unusable[step][file] = found == contents.unusable.end() ? judge::is_missing : found->second;
     }
   return contents.names;
 }
 
-/// Why there is no step, in one line: where steps or their files were found, and what was passed over.
+/// Says in one line why there is no step: where steps or their files were found, and what was skipped.
 [[noreturn]] void refuse_without_steps(const judge::StepFlags& flags, const fs::path& source,
                                        const Submission& submission, const std::vector<std::string>& paths) {
   std::vector<std::string> steps;
   for (const auto& [step, files] : flags.files) steps.push_back(step);
   std::string words =
-      fmt::format("{}: holds none of the steps; it must have folders such as {}", source.string(), join(steps));
+      fmt::format("{}: has none of the steps; it must have folders such as {}", source.string(), join(steps));
 
   const std::vector<std::string> found = folders_of_steps(flags, paths);
   std::vector<std::string> deeper = found;
   std::erase_if(deeper, [&](const std::string& front) { return front.find('/') == std::string::npos; });
   const fs::path whole = fs::weakly_canonical(source);
   if (flags.files.contains(whole.filename().string()))
-    words +=
-        fmt::format("; it is the folder of one step: give the folder that it is in, {}", whole.parent_path().string());
+    words += fmt::format("; it is the folder of one step: name its parent folder, {}", whole.parent_path().string());
   else if (!deeper.empty() && !submission.source.empty())
-    words += fmt::format("; steps were found in {}: give that folder", (source / deeper.front()).string());
+    words += fmt::format("; steps were found in {}: name that folder", (source / deeper.front()).string());
   else if (!deeper.empty())
-    words += fmt::format("; steps were found in {}: at most one folder may stand in front of them", join(deeper));
+    words += fmt::format("; steps were found in {}: they must be at the top or one folder below it", join(deeper));
   else if (!found.empty() && submission.notes.empty())
-    words += "; there are folders of steps, and none of the files that must be in them";
+    words += "; it has folders of steps, but none of their files";
   else if (const auto stray = stray_files(flags, paths); !stray.empty())
     words += "; " + join(stray);
-  if (!submission.notes.empty()) words += "; passed over: " + join(submission.notes);
+  if (!submission.notes.empty()) words += "; skipped: " + join(submission.notes);
   throw Error(words);
 }
 
@@ -133,7 +132,7 @@ std::string name_of(const fs::path& source) {
   fs::path path = fs::weakly_canonical(source);
   if (path.extension() == ".zip") path = path.stem();
   const std::string name = printable(path.filename().string());
-  return name.empty() || name == "." || name == ".." ? "submission" : name;  // "...zip" is a name, too
+  return name.empty() || name == "." || name == ".." ? "submission" : name;  // "...zip" has the stem ".."
 }
 
 }  // namespace
@@ -146,7 +145,7 @@ Submission take_submission(const judge::StepFlags& flags, const fs::path& source
   fs::create_directories(folder);
   std::vector<std::string> paths;
   if (fs::is_directory(source)) {
-    submission.source = holder_of_steps(flags, source);
+    submission.source = folder_with_steps(flags, source);
     take_folder(flags, submission);
     if (submission.present.empty()) paths = list_folder(source);
   } else {

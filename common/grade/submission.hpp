@@ -1,4 +1,4 @@
-// A submission on its way in: a folder or a ZIP, of which only the files that a step lists are ever looked at.
+// Reads a submission, a folder or a ZIP. Only the files that a step lists are read.
 #pragma once
 
 #include <filesystem>
@@ -15,19 +15,19 @@ struct Submission {
   std::string name;               ///< of the folder or the archive, printable
   std::filesystem::path source;   ///< the folder that holds the steps' folders; empty for an archive
   std::filesystem::path folder;   ///< the private copy: NN-name/FILE, regular files only
-  std::set<std::string> present;  ///< the steps of which something was handed in
+  std::set<std::string> present;  ///< the steps with at least something handed in
 
-  std::map<std::string, judge::NotTaken> not_taken;  ///< by step, of those present: what is missing, and why
-  std::map<std::string, std::string> passed_over;  ///< steps whose folder could not be taken: "is a symbolic link ..."
-  std::vector<std::string> notes;  ///< what was passed over, an entry each, printable and at most most_notes
+  std::map<std::string, judge::UnusableFiles> unusable;  ///< by present step: its unusable or missing files, and why
+  std::map<std::string, std::string> skipped;            ///< steps whose folder is unusable: "is a symbolic link ..."
+  std::vector<std::string> notes;  ///< what was skipped, one entry each, printable; at most max_notes
 };
 
-inline constexpr std::size_t most_notes = 20;  ///< the last one then says how many more there are
+inline constexpr std::size_t max_notes = 20;  ///< if there are more, the last entry says how many
 
-/// Takes a submission into `folder` (made where missing): each listed file of each step that can be taken
-/// (judge/run/source_file.hpp). The steps' folders stand in `source`, or in the one folder inside that has any. A step
-/// is present where its folder is there, or, in an archive, any of its listed files. Throws Error naming `source` where
-/// it is neither a folder nor a sound ZIP, or has none of the steps; it then says where some were found.
+/// Copies each usable listed file of each step (judge/run/source_file.hpp) into `folder`, which is created if missing.
+/// The steps' folders are in `source`, or in the only folder inside it that has any. A step is present if its folder
+/// exists or, in an archive, any of its listed files. Throws Error naming `source` if it is neither a folder nor a
+/// valid ZIP, or has none of the steps; the message says where steps were found.
 Submission take_submission(const judge::StepFlags& flags, const std::filesystem::path& source,
                            const std::filesystem::path& folder);
 

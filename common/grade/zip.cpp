@@ -13,8 +13,8 @@
 namespace atelier::grade {
 namespace {
 
-/// Noon of 1 January 2000: a day that the format can write in every time zone.
-constexpr std::time_t date_of_all = 946'728'000;
+/// Noon UTC of 1 January 2000, the date of all files; ZIP can store it in every time zone.
+constexpr std::time_t file_date = 946'728'000;
 
 la_ssize_t append(archive*, void* to, const void* bytes, std::size_t count) {
   static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), count);
@@ -25,7 +25,7 @@ class ZipWriter {
  public:
   ZipWriter() : writer_(archive_write_new(), archive_write_free) {
     if (!writer_ || archive_write_set_format_zip(writer_.get()) != ARCHIVE_OK)
-      throw Error("the archive library does not know ZIP");
+      throw Error("the archive library does not support ZIP");
     archive_write_set_bytes_in_last_block(writer_.get(), 1);  // no padding
     check(archive_write_open(writer_.get(), &archive_, nullptr, append, nullptr), "the archive");
   }
@@ -36,7 +36,7 @@ class ZipWriter {
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_perm(entry.get(), file.executable ? 0755 : 0644);
     archive_entry_set_size(entry.get(), la_int64_t(file.bytes.size()));
-    archive_entry_set_mtime(entry.get(), date_of_all, 0);
+    archive_entry_set_mtime(entry.get(), file_date, 0);
     check(archive_write_header(writer_.get(), entry.get()), path);
     if (archive_write_data(writer_.get(), file.bytes.data(), file.bytes.size()) != la_ssize_t(file.bytes.size()))
       check(ARCHIVE_FATAL, path);

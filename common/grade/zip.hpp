@@ -1,4 +1,4 @@
-// Makes a ZIP archive: what students are handed, and what they hand in. unzip.hpp is the way back.
+// Writes ZIP archives for releases and submissions. unzip.hpp reads them.
 #pragma once
 
 #include <filesystem>
@@ -7,18 +7,18 @@
 
 namespace atelier::grade {
 
-/// A file on its way into an archive or a folder.
+/// A file to be written to an archive or a folder.
 struct PackedFile {
   std::string bytes;
   bool executable = false;
 };
 
-/// By the path of each, relative and with slashes: "02-blinn-phong/blinn_phong.cpp".
+/// Files by relative path with slashes: "02-blinn-phong/blinn_phong.cpp".
 using PackedFiles = std::map<std::string, PackedFile>;
 
-/// The archive of `files`, deflated, in the order of their paths, all of the same date: the same files make the same
-/// bytes (in one time zone: a ZIP knows local time alone). Throws Error naming the path that the archive library does
-/// not take.
+/// A deflated archive of `files`, in the order of their paths, all with the same date. So the same files give the same
+/// bytes (within one time zone, since ZIP stores local time). Throws Error naming the path that the library refuses.
+
 std::string make_zip(const PackedFiles& files);
 
 }  // namespace atelier::grade

@@ -28,11 +28,11 @@ BaselineRow row_of(const Json& json, const std::string& where) {
   if (const Json* aim = strict_json::optional(json, "aim"))
     row.aim = strict_json::number(*aim, where + ": aim", 0.1, 100);
   if (const Json* flag = strict_json::optional(json, "no_larger_error"))
-    row.no_larger_error = strict_json::flag(*flag, where + ": no_larger_error");
+    row.no_larger_error = strict_json::boolean(*flag, where + ": no_larger_error");
   return row;
 }
 
-/// How one round went: the baseline's seconds a frame, and the row's.
+/// The seconds per frame of the baseline and of a row in one round.
 struct Pair {
   double baseline = 0, row = 0;
 };
@@ -66,7 +66,7 @@ class Comparison {
     return drawn(program, settings, "colour", frames).cost.times.value().median;
   }
 
-  /// The errors of a program under settings; no times yet.
+  /// The errors of a program with these settings; the times are not filled in.
   Compared errors(const std::string& name, const Program& program, const SettingValues& settings) const {
     const Image colour = drawn(program, settings, "colour", 0).picture;
     const Image shadow = drawn(program, settings, plan_.shadow, 0).picture;
@@ -93,8 +93,8 @@ BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where
   BaselinePlan plan;
   plan.program = strict_json::name(member("baseline"), where + ": baseline");
   plan.shadow = strict_json::name(member("shadow"), where + ": shadow", "-_");
-  plan.samples = strict_json::whole(member("samples"), where + ": samples", 1, 64);
-  // The picture is read as a case's is.
+  plan.samples = strict_json::integer(member("samples"), where + ": samples", 1, 64);
+  // Scene and size are checked as in a case.
   const Case picture = parse_case({{"name", "picture"}, {"scene", member("scene")}, {"size", member("size")}}, where);
   plan.scene = picture.scene;
   plan.size = picture.size;
@@ -120,8 +120,8 @@ BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program
     }
 
   BaselineComparison all;
-  std::vector<SettingValues> drawn_with;              // by baseline
-  std::vector<std::vector<double>> baseline_seconds;  // the same
+  std::vector<SettingValues> drawn_with;              // parallel to all.baselines
+  std::vector<std::vector<double>> baseline_seconds;  // parallel to all.baselines
   for (std::size_t row = 0; row < plan.rows.size(); ++row) {
     const BaselineRow& planned = plan.rows[row];
     const auto known = std::ranges::find(drawn_with, planned.baseline_settings);
@@ -152,8 +152,8 @@ BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program
 
 bool reaches_aim(const BaselineRow& row, const Compared& compared, const Compared& baseline) {
   constexpr double equal = 1.01;
-  const bool as_true = compared.rmse <= equal * baseline.rmse && compared.wrong <= equal * baseline.wrong;
-  return compared.ratio >= row.aim && (as_true || !row.no_larger_error);
+  const bool as_accurate = compared.rmse <= equal * baseline.rmse && compared.wrong <= equal * baseline.wrong;
+  return compared.ratio >= row.aim && (as_accurate || !row.no_larger_error);
 }
 
 }  // namespace atelier::measure

@@ -1,6 +1,5 @@
-// A step's program beside a baseline, another program that draws the same scene: how much faster, and how far each is
-// from the truth. tests/cases/NN-name/baseline.json says what is compared; every member stands in
-// tests/cases/README.md.
+// Compares a step's program with a baseline, another program that draws the same scene: speed and error.
+// tests/cases/NN-name/baseline.json says what is compared; tests/cases/README.md describes its members.
 #pragma once
 
 #include <filesystem>
@@ -15,9 +14,9 @@ namespace atelier::measure {
 struct BaselineRow {
   std::string name;
   std::map<std::string, SettingValue> settings;
-  std::map<std::string, SettingValue> baseline_settings;  ///< what the baseline is drawn with beside it
-  double aim = 0;                                         ///< times as fast as the baseline; 0: nothing is aimed at
-  bool no_larger_error = false;                           ///< whether that is meant at no larger error
+  std::map<std::string, SettingValue> baseline_settings;  ///< the baseline's settings in this comparison
+  double aim = 0;                                         ///< the speed-up to reach over the baseline; 0: no aim
+  bool no_larger_error = false;                           ///< whether the aim also requires an error no larger
 };
 
 struct BaselinePlan {
@@ -28,33 +27,32 @@ struct BaselinePlan {
   std::vector<BaselineRow> rows;
 };
 
-/// Reads the text of a baseline.json; `where` starts every error sentence. Throws Error naming the member and what is
-/// allowed.
+/// Parses a baseline.json; every error message begins with `where`. Throws Error naming the member and what is allowed.
 BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where);
-BaselinePlan read_baseline_plan(const std::filesystem::path& file);  ///< the same, of a file
+BaselinePlan read_baseline_plan(const std::filesystem::path& file);  ///< the same, from a file
 
-/// What came out of one program under its settings. Errors are against the truth of the scene, traced.
+/// The results of one program with its settings. Errors are against the traced ground truth of the scene.
 struct Compared {
   std::string name;
-  std::size_t against = 0;                ///< of a row: which of the baselines it was drawn beside
-  double seconds = 0;                     ///< of a frame: the median over the rounds of each round's median
-  double ratio = 1, least = 1, most = 1;  ///< the baseline's time over this one's, round by round: median and range
+  std::size_t against = 0;                ///< of a row: index of the baseline it is compared with
+  double seconds = 0;                     ///< per frame: the median over the rounds of each round's median
+  double ratio = 1, least = 1, most = 1;  ///< the baseline's time / this one's, per round: median and range
   double rmse = 0;                        ///< of the colours
-  double wrong = 0;                       ///< pixels whose shadow is wrong, of all: ErrorMetric::wrong
+  double wrong = 0;                       ///< fraction of pixels whose shadow is wrong: ErrorMetric::wrong
 };
 
-/// The baseline under each of the settings that rows ask of it, in their order, and the rows.
+/// The baseline with each of the settings that rows name, in their order, and the rows.
 struct BaselineComparison {
   std::vector<Compared> baselines, rows;
 };
 
-/// In each round the baseline is drawn right before each row, `frames` times each,
-/// and the two are compared with each other alone: what slows a machine down for a while slows down both.
+/// In each round draws the baseline right before each row, `frames` times each, and compares only these two times. So a
+/// temporary slowdown of the machine affects both.
 BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program& step, const Program& baseline,
                                          int rounds, int frames);
 
-/// Whether the row does what it aims at; `baseline` is the one that it was drawn beside. Errors are equal
-/// where they differ by less than 1 %.
+/// Whether the row reaches its aim; `baseline` is the one it is compared with. An error up to 1 % larger counts as
+/// equal.
 bool reaches_aim(const BaselineRow& row, const Compared& compared, const Compared& baseline);
 
 }  // namespace atelier::measure

@@ -9,7 +9,7 @@
 namespace atelier::measure {
 namespace {
 
-/// A number on an axis by decades has at least a decade to show.
+/// Whether the x values span at least one decade, so that a logarithmic axis makes sense.
 bool spans_a_decade(const SweepResult& result) {
   double low = 0, high = 0;
   for (const Point& point : result.points)
@@ -31,11 +31,11 @@ Scale error_scale(const SweepResult& result) {
 }
 
 std::string title_of_curve(const SweepResult& result, const std::string& curve) {
-  const std::string& setting = result.plan.curves_by;  // "specular.power": its group says nothing here
+  const std::string& setting = result.plan.curves_by;  // "specular.power": the group is left out
   return curve.empty() ? std::string() : fmt::format("{} {}", setting.substr(setting.find('.') + 1), curve);
 }
 
-/// The fitted power as a dashed line in the colour of its curve, over the range in which it was fitted.
+/// The fitted power law as a dashed line in the colour of its curve, over the range of the fit.
 Curve line_of(const Fit& fit, int colour) {
   return {.title = fmt::format("slope {:.2f}", fit.slope),
           .points = {{fit.from, fit.at(fit.from)}, {fit.to, fit.at(fit.to)}},
@@ -62,7 +62,7 @@ Plot chart_of_errors(const SweepResult& result) {
                            .style = result.numeric ? Curve::Style::marks_and_line : Curve::Style::marks,
                            .colour = colour});
     const auto fit = fit_of(result, curve);
-    // A slope is worth a line where theory has one.
+    // Draw the slope only if the plan expects one.
     const bool expected = std::any_of(sweep.expect.begin(), sweep.expect.end(), [&](const Expectation& e) {
       return e.kind == Expectation::Kind::slope && (e.curve.empty() || e.curve == curve);
     });
@@ -101,7 +101,7 @@ std::optional<Plot> chart_of_front(const FrontResult& result) {
             .y = {.label = "error, " + to_string(result.plan.metric), .scale = Scale::logarithmic}};
   const auto place = [&](std::size_t i) { return glm::dvec2(ranking.points[i].x * milliseconds, ranking.points[i].y); };
   Curve all{.title = "every combination", .style = Curve::Style::marks, .colour = 4},
-      front{.title = "worth having: none is faster and more exact", .colour = 1};
+      front{.title = "Pareto front: no other is faster and more accurate", .colour = 1};
   for (std::size_t i = 0; i < ranking.points.size(); ++i) all.points.push_back(place(i));
   for (const std::size_t i : ranking.front) front.points.push_back(place(i));
   plot.curves = {std::move(all), std::move(front)};

@@ -1,4 +1,4 @@
-// Whether what was measured is what theory says. Errors and orders only: times are never judged.
+// Compares measured errors and their order with theory. Times are never judged.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@ namespace atelier::measure {
 /// One expectation against one curve.
 struct Finding {
   bool met = false;
-  std::string words;  ///< "hall-segments: slope -2.01, expected -2 +- 0.2 (4 .. 512)"
+  std::string words;  ///< "hall-segments: slope -2.010 from 4 to 512, expected -2 +- 0.2"
   std::string reason;
 };
 
-/// Every expectation of a sweep, for every curve that it is about.
+/// Checks every expectation of a sweep on every curve that it applies to.
 std::vector<Finding> findings(const SweepResult& result);
 
-/// The power that fits a curve above its own noise floor, within the range of the sweep's own expectation of a slope
-/// where it has one. Nothing where the swept values are no numbers, or too few points are left.
+/// Fits a power law to a curve above its noise floor, within the range of the sweep's slope expectation if it has one.
+/// Nothing if the swept values are not numbers or too few points remain.
 std::optional<Fit> fit_of(const SweepResult& result, const std::string& curve);
 
 }  // namespace atelier::measure

@@ -22,7 +22,7 @@ std::optional<Fit> fit_power(std::span<const glm::dvec2> points, double floor, s
   }
   if (logs.size() < 3 || fit.from == fit.to) return std::nullopt;
 
-  // About the mean, so that the sums lose no digits.
+  // Centred on the mean to avoid cancellation.
   const double count = double(logs.size());
   glm::dvec2 mean(0);
   for (const glm::dvec2& p : logs) mean += p / count;

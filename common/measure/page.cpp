@@ -76,7 +76,7 @@ std::string table(const std::vector<Point>& points, Metric metric, const std::op
 
 std::string finding_html(const Finding& finding) {
   return fmt::format("<dt class=\"{}\">{}</dt><dd>{}<br><span class=\"soft\">{}</span></dd>\n",
-                     finding.met ? "passed" : "failed", finding.met ? "as expected" : "not so",
+                     finding.met ? "passed" : "failed", finding.met ? "as expected" : "not as expected",
                      escape_markup(finding.words), escape_markup(finding.reason));
 }
 
@@ -96,26 +96,21 @@ std::string front_html(const FrontResult& front) {
   html += figure(chart_of_front(front));
   if (ranking.knee)
     html += fmt::format(
-        "<p>Recommended default: <b>{}</b>. It lies farthest below the chord between the fastest and the most exact "
-        "point of the front, both axes as logarithms (after Satop&auml;&auml; and others, <i>Finding a "
-        "&ldquo;Kneedle&rdquo; "
-        "in a Haystack</i>, 2011): before it time buys much, behind it little.</p>\n",
+        "<p>Recommended default: <b>{}</b>. It is the point of the front farthest below the chord between the fastest "
+        "and the most accurate point, on logarithmic axes (after Satop&auml;&auml; and others, <i>Finding a "
+        "&ldquo;Kneedle&rdquo; in a Haystack</i>, 2011). More time beyond this point reduces the error little.</p>\n",
         escape_markup(front.points[*ranking.knee].value));
   return html + table(front.points, front.plan.metric, ranking.knee) + "</section>\n";
 }
 
 std::string how_html(const StepMeasured& measured) {
   std::string html =
-      "<p class=\"soft\">Errors are against a ground truth that the step's own code has no part in, unless a sweep "
-      "says "
-      "otherwise. A dashed line is the power that fits best, by least squares on logarithms, over the points above "
-      "three "
-      "times the curve's smallest error. The dotted line is that smallest error of all: what remains when the setting "
-      "is "
-      "at its best, be it the rounding of floats, the rasteriser's grid of 1/256 pixel or another approximation. An "
-      "open "
-      "triangle stands for an error of zero. Times are wall time to the end of glFinish, of one machine: compare them "
-      "with each other only.</p>\n<dl>\n";
+      "<p class=\"soft\">Errors are against a ground truth computed without the step's code, unless a sweep says "
+      "otherwise. A dashed line is the best-fitting power law, by least squares on logarithms, over the points above "
+      "three times the curve's smallest error. The dotted line is the noise floor, the smallest error of all curves: "
+      "the error that remains at the best value of the setting, from float rounding, the rasteriser's grid of 1/256 "
+      "pixel or another approximation. An open triangle is an error of zero. Times are wall-clock times to the end of "
+      "glFinish on one machine; compare them only with each other.</p>\n<dl>\n";
   for (const auto& [name, value] : measured.environment)
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_markup(name), escape_markup(value));
   return html + "</dl>\n";

@@ -1,4 +1,4 @@
-// Everything that was measured on one page.
+// All measurements of a step on one HTML page.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace atelier::measure {
 
-/// One HTML file that needs nothing beside it: for each front and each sweep its plots, its fits, what theory expects
-/// and whether it was met, and a table of numbers. Throws Error where gnuplot is missing.
+/// A self-contained HTML file: for each front and sweep its plots, its fits, what theory expects and whether it was
+/// met, and a table of numbers. Throws Error if gnuplot is missing.
 std::string page(const StepMeasured& measured);
 
 }  // namespace atelier::measure

@@ -13,7 +13,7 @@ std::vector<std::size_t> pareto_front(std::span<const glm::dvec2> points) {
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return points[a].x != points[b].x ? points[a].x < points[b].x : points[a].y < points[b].y;
   });
-  // In the order of cost, a point is beaten unless its error is below all before it.
+  // In order of cost, a point is on the front only if its error is below all errors before it.
   std::vector<std::size_t> front;
   for (const std::size_t i : order)
     if (front.empty() || points[i].y < points[front.back()].y) front.push_back(i);
@@ -29,7 +29,7 @@ std::optional<std::size_t> knee(std::span<const glm::dvec2> front) {
     return glm::dvec2(std::log(p.x), std::log(p.y > 0 ? p.y : least > 0 ? least / 10 : 1));
   };
   const glm::dvec2 first = logs(front.front()), last = logs(front.back());
-  const glm::dvec2 span(last.x - first.x, first.y - last.y);  // both above zero: cost rises along a front, error falls
+  const glm::dvec2 span(last.x - first.x, first.y - last.y);  // not negative: cost rises along a front, error falls
   std::size_t farthest = 0;
   double most = -1;
   for (std::size_t i = 0; i < front.size(); ++i) {

@@ -1,4 +1,4 @@
-// Of many choices, those that are worth having: none other is both cheaper and better.
+// The Pareto front: the choices for which no other is both cheaper and more accurate.
 #pragma once
 
 #include <cstddef>
@@ -9,16 +9,15 @@
 
 namespace atelier::measure {
 
-/// Indices of the points (cost, error) that no other point beats: one that is no worse in both and better in one. From
-/// the cheapest to the dearest, so that the error falls along them; of equal points the first. Points that are not
-/// finite are never among them.
+/// Indices of the points (cost, error) that no other point dominates: is no worse in both and better in one. Sorted by
+/// rising cost, and so by falling error; of equal points the first. Never includes points that are not finite.
 std::vector<std::size_t> pareto_front(std::span<const glm::dvec2> points);
 
-/// Where more cost begins to buy little: the point of a front (in its order, values above zero) that lies farthest
-/// below the chord between its first and its last point, both axes as logarithms, each scaled to 0..1. After V.
-/// Satopaa, J. Albrecht, D. Irwin and B. Raghavan: Finding a "Kneedle" in a Haystack, ICDCS Workshops 2011, whose
-/// curves are not logarithmic; here a factor counts the same everywhere. An error of 0 counts as a tenth of the
-/// smallest other one. The first where none lies below the chord; nothing for no points.
+/// The knee, beyond which more cost reduces the error little: the point of a front (in its order, costs above zero)
+/// that is farthest below the chord between the first and the last point, on logarithmic axes scaled to 0..1. After V.
+/// Satopaa, J. Albrecht, D. Irwin and B. Raghavan: Finding a "Kneedle" in a Haystack, ICDCS Workshops 2011, which uses
+/// linear axes. An error of 0 counts as a tenth of the smallest other one. If no point is below the chord, the first;
+/// nothing for an empty front.
 std::optional<std::size_t> knee(std::span<const glm::dvec2> front);
 
 }  // namespace atelier::measure

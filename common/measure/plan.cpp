@@ -19,12 +19,12 @@ namespace {
 using strict_json::Json;
 
 constexpr double huge = 1e300;
-constexpr std::size_t most_values = 64, most_combinations = 256;
+constexpr std::size_t max_values = 64, max_combinations = 256;
 
-/// A list of values, none twice.
+/// A list of values without duplicates.
 std::vector<SettingValue> values_of(const Json& json, const std::string& where) {
-  if (!json.is_array() || json.empty() || json.size() > most_values)
-    strict_json::refuse(json, where, fmt::format("a list of 1..{} values", most_values));
+  if (!json.is_array() || json.empty() || json.size() > max_values)
+    strict_json::refuse(json, where, fmt::format("a list of 1..{} values", max_values));
   std::vector<SettingValue> values;
   for (const Json& each : json) {
     values.push_back(setting_from_json(each, where));
@@ -34,7 +34,7 @@ std::vector<SettingValue> values_of(const Json& json, const std::string& where) 
   return values;
 }
 
-/// What a case asks of the program; the members are a case's own.
+/// The picture to draw; its members are read as in a case.
 Case ask_of(const Json& object, const std::string& where) {
   Json asked = Json::object();
   for (const char* member : {"name", "scene", "size", "camera", "output", "settings"})
@@ -59,8 +59,9 @@ Truth truth_of(const Json& object, const std::string& where) {
   if (const Json* settings = strict_json::optional(*given, "settings"))
     truth.settings = settings_from_json(*settings, place + ": settings");
   if (const Json* samples = strict_json::optional(*given, "samples")) {
-    if (truth.by != Truth::By::oracle) strict_json::refuse(*samples, place + ": samples", "nothing but for the oracle");
-    truth.samples = strict_json::whole(*samples, place + ": samples", 1, 64);
+    if (truth.by != Truth::By::oracle)
+      strict_json::refuse(*samples, place + ": samples", "no value unless by is oracle");
+    truth.samples = strict_json::integer(*samples, place + ": samples", 1, 64);
   }
   return truth;
 }
@@ -76,7 +77,7 @@ Metric metric_of(const Json& object, const Truth& truth, Metric fallback, const 
   }
   if ((metric == Metric::mean) != (truth.by == Truth::By::value))
     throw Error(
-        fmt::format("{}: metric: {} is not allowed; a truth that is a number goes with 'mean', and nothing else does",
+        fmt::format("{}: metric: {} is not allowed; a truth that is a number needs 'mean', other truths another metric",
                     where, to_string(metric)));
   return metric;
 }
@@ -93,7 +94,7 @@ Expectation expectation_of(const Json& object, const std::string& where) {
   if (kinds != 1) throw Error(where + ": it takes exactly one of slope, order, at_most and at");
   const auto only_with = [&](const char* name, bool right) {
     if (member(name) && !right)
-      throw Error(fmt::format("{}: {} does not go with this kind of expectation", where, name));
+      throw Error(fmt::format("{}: {} is not allowed for this kind of expectation", where, name));
   };
   only_with("is", member("at"));
   only_with("range", member("slope"));
@@ -129,7 +130,7 @@ Expectation expectation_of(const Json& object, const std::string& where) {
 
 std::string name_of(const Json& object, const std::string& where, std::set<std::string>& taken) {
   const std::string name = strict_json::name(strict_json::required(object, "name", where), where + ": name");
-  if (!taken.insert(name).second) throw Error(fmt::format("{}: name: '{}' is there twice", where, name));
+  if (!taken.insert(name).second) throw Error(fmt::format("{}: name: '{}' appears twice", where, name));
   return name;
 }
 
@@ -139,7 +140,7 @@ std::string text_of(const Json& object, const char* member, const std::string& w
 
 bool flag_of(const Json& object, const char* member, const std::string& where) {
   const Json* given = strict_json::optional(object, member);
-  return given && strict_json::flag(*given, where + ": " + member);
+  return given && strict_json::boolean(*given, where + ": " + member);
 }
 
 Sweep sweep_of(const Json& object, const std::string& file, std::set<std::string>& taken) {
@@ -156,12 +157,12 @@ Sweep sweep_of(const Json& object, const std::string& file, std::set<std::string
   if (const Json* values = strict_json::optional(object, "values"))
     sweep.values = values_of(*values, where + ": values");
   const Json *by = strict_json::optional(object, "curves_by"), *curves = strict_json::optional(object, "curves");
-  if (!by != !curves) throw Error(where + ": curves_by and curves go together");
+  if (!by != !curves) throw Error(where + ": curves_by and curves need each other");
   if (by) sweep.curves_by = text_of(object, "curves_by", where), sweep.curves = values_of(*curves, where + ": curves");
   if (by && sweep.curves_by == sweep.setting) strict_json::refuse(*by, where + ": curves_by", "another setting");
   for (const std::string& name : {sweep.setting, sweep.curves_by})
     if (sweep.ask.settings.contains(name))
-      throw Error(fmt::format("{}: settings: {} is swept, so it cannot stay", where, name));
+      throw Error(fmt::format("{}: settings: {} is swept, so it cannot be fixed", where, name));
   sweep.truth = truth_of(object, where);
   sweep.metric = metric_of(object, sweep.truth, Metric::rmse, where);
   sweep.x_label = text_of(object, "x", where), sweep.y_label = text_of(object, "y", where);
@@ -190,11 +191,11 @@ Front front_of(const Json& object, const std::string& file, std::set<std::string
     front.grid.emplace_back(name, values_of(values, where + ": grid: " + name));
     combinations *= front.grid.back().second.size();
     if (front.ask.settings.contains(name))
-      throw Error(fmt::format("{}: settings: {} is in the grid, so it cannot stay", where, name));
+      throw Error(fmt::format("{}: settings: {} is in the grid, so it cannot be fixed", where, name));
   }
-  if (combinations > most_combinations)
+  if (combinations > max_combinations)
     throw Error(fmt::format("{}: grid: {} combinations are not allowed; it takes up to {}", where, combinations,
-                            most_combinations));
+                            max_combinations));
   front.truth = truth_of(object, where);
   front.metric = metric_of(object, front.truth, Metric::flip, where);
   return front;
@@ -205,7 +206,7 @@ Front front_of(const Json& object, const std::string& file, std::set<std::string
 Plan parse_plan(const std::string& text, const std::string& where) {
   const Json document = strict_json::parse(text, where);
   strict_json::refuse_unknown(document, {"schema", "step", "sweeps", "fronts", "not_measured"}, where);
-  strict_json::whole(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
+  strict_json::integer(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
   Plan plan;
   plan.step = strict_json::name(strict_json::required(document, "step", where), where + ": step");
   std::set<std::string> taken;

@@ -1,5 +1,5 @@
-// What is swept on a step: tests/cases/NN-name/measure.json, read and checked. Every member stands in
-// tests/cases/README.md.
+// Reads and checks the measurement plan of a step, tests/cases/NN-name/measure.json. tests/cases/README.md describes
+// its members.
 #pragma once
 
 #include <filesystem>
@@ -19,50 +19,50 @@ namespace atelier::measure {
 struct Truth {
   enum class By {
     oracle,   ///< the step program's --truth: traced in double precision, without the approximation
-    program,  ///< the step program itself, under other settings
-    value     ///< one number: what the mean of the picture ought to be
+    program,  ///< the step program itself, with other settings
+    value     ///< one number: the right mean of the picture
   };
   By by = By::oracle;
-  std::map<std::string, SettingValue> settings{};  ///< laid over those of the picture; equal truths are made once
-  int samples = 1;                                 ///< oracle: n x n rays a pixel, 1..64; 1 goes through its centre
+  std::map<std::string, SettingValue> settings{};  ///< override those of the picture
+  int samples = 1;                                 ///< oracle: n x n rays per pixel, 1..64; 1 is through its centre
   double value = 0;
 };
 
 using Metric = ErrorMetric;
 
-/// What theory says of a sweep, to be checked against what was measured.
+/// What theory predicts for a sweep, to be compared with the measurement.
 struct Expectation {
   enum class Kind {
     slope,    ///< of log error on log value, within `tolerance`
-    order,    ///< the errors of the `values` never fall along them
+    order,    ///< the errors at `values`, in their order, never fall
     at_most,  ///< no error is above `number`
-    at        ///< the error of `values[0]` is `number`, within `tolerance`
+    at        ///< the error at `values[0]` is `number`, within `tolerance`
   };
   Kind kind = Kind::slope;
-  std::string curve{};  ///< the one curve that is meant, as its setting's text; empty: each
+  std::string curve{};  ///< the curve that it applies to, as its setting's text; empty: each
   double number = 0, tolerance = 0;
   std::optional<glm::dvec2> range{};  ///< slope: of values, closed; none: all above the noise floor
   std::vector<std::string> values{};  ///< as setting_text writes them
   std::string reason{};               ///< where the number comes from, and why the tolerance is what it is
 };
 
-/// One setting, swept on one scene; perhaps a curve for each value of a second setting.
+/// One setting, swept on one scene; optionally with a curve for each value of a second setting.
 struct Sweep {
   std::string name, title;
-  Case ask;  ///< scene, size, camera, output, settings that stay
+  Case ask;  ///< scene, size, camera, output, fixed settings
   std::string setting;
-  std::vector<SettingValue> values;  ///< empty: as default_values says
+  std::vector<SettingValue> values;  ///< empty: those of default_values
   std::string curves_by;             ///< the second setting; empty: one curve
-  std::vector<SettingValue> curves;  ///< its values, at least one where it is there
+  std::vector<SettingValue> curves;  ///< its values; not empty if curves_by is set
   Truth truth;
   Metric metric = Metric::rmse;
   std::string x_label, y_label;  ///< with units
-  bool linear = false;           ///< whether the error's axis is linear; where it is not, errors are drawn by decades
+  bool linear = false;           ///< whether the error axis is linear instead of logarithmic
   bool handout = false;          ///< whether the step's handout shows its plot
   std::vector<Expectation> expect;
 };
 
-/// Every combination of several settings' values on one scene, to find those worth having.
+/// Every combination of several settings' values on one scene, to find the Pareto front.
 struct Front {
   std::string name, title;
   Case ask;
@@ -75,22 +75,22 @@ struct Plan {
   std::string step;
   std::vector<Sweep> sweeps;
   std::vector<Front> fronts;
-  std::map<std::string, std::string> not_measured;  ///< setting and why no sweep of it would say anything
+  std::map<std::string, std::string> not_measured;  ///< by setting: why there is nothing to measure
 };
 
 /// Throws Error naming the file, the sweep and the member.
 Plan read_plan(const std::filesystem::path& file);
 
-/// The same from text; `where` stands in for the file's name.
+/// The same from text; `where` replaces the file's name in messages.
 Plan parse_plan(const std::string& text, const std::string& where);
 
-/// Throws Error where a sweep, a front or `not_measured` names a setting, a value or an output that the program does
-/// not list, and where a setting of the program is neither swept, nor on a front, nor explained.
+/// Throws Error if a sweep, a front or `not_measured` names a setting, value or output that the program does not list,
+/// and if a setting of the program is in none of them.
 void check_against(const Plan& plan, const std::vector<SettingSpec>& settings, const std::vector<std::string>& outputs);
 
-/// What is swept where a plan names no values: all choices; off and on; of numbers nine from the least to the greatest,
-/// evenly by factors. Where the least is zero or below, zero comes first and the factors begin at 1 (whole numbers) or
-/// at a millionth of the greatest. Of a colour none: a plan must name them.
+/// The values of a sweep whose plan names none: all choices; off and on; for numbers, nine in geometric progression
+/// from the smallest to the largest. If the smallest is zero or less, zero comes first and the progression begins at 1
+/// (int) or at a millionth of the largest. For a colour none: a plan must name them.
 std::vector<SettingValue> default_values(const SettingSpec& setting);
 
 }  // namespace atelier::measure

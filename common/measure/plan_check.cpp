@@ -1,4 +1,4 @@
-// A plan against the program that it is for: whether what it names is there, and nothing that is there is forgotten.
+// Checks a plan against its step program: what it names must exist, and every setting must be covered.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -23,8 +23,7 @@ class Checker {
     common(where, sweep.ask, sweep.truth);
     values(where, sweep.setting, sweep.values);
     if (sweep.values.empty() && default_values(known(where, sweep.setting)).empty())
-      throw Error(
-          fmt::format("{}: {} is a colour, whose whole range cannot be swept: name values", where, sweep.setting));
+      throw Error(fmt::format("{}: {} is a colour, so the sweep must name its values", where, sweep.setting));
     if (!sweep.curves_by.empty()) values(where, sweep.curves_by, sweep.curves);
     for (const Expectation& e : sweep.expect) expectation(where, sweep, e);
   }
@@ -35,17 +34,17 @@ class Checker {
     for (const auto& [name, choices] : front.grid) values(where, name, choices);
   }
 
-  void nothing_forgotten() {
+  void check_all_settings_covered() {
     for (const auto& [name, reason] : plan_.not_measured) {
       known(plan_.step + ": not_measured", name);
       if (!measured_.insert(name).second)
-        throw Error(fmt::format("{}: not_measured: {} is measured all the same", plan_.step, name));
+        throw Error(fmt::format("{}: not_measured: {} is measured by a sweep or a front", plan_.step, name));
     }
     for (const SettingSpec& spec : settings_)
       if (!measured_.contains(spec.name))
         throw Error(
-            fmt::format("{}: no sweep and no front has the setting {}; add one to measure.json, or say under "
-                        "not_measured why there is nothing to measure",
+            fmt::format("{}: no sweep and no front has the setting {}; add one to measure.json, or give the reason "
+                        "under not_measured",
                         plan_.step, spec.name));
   }
 
@@ -98,11 +97,12 @@ class Checker {
   std::set<std::string> measured_;
 };
 
-/// `count` numbers from low to high, evenly by factors.
-std::vector<double> by_factors(double low, double high, int count) {
+/// `count` numbers from low to high in geometric progression.
+std::vector<double> geometric_progression(double low, double high, int count) {
   std::vector<double> values;
   for (int i = 0; i < count; ++i)
-    values.push_back(std::min(high, low * std::pow(high / low, double(i) / (count - 1))));  // rounding goes beyond
+    values.push_back(std::min(high, low * std::pow(high / low, double(i) / (count - 1))));  // rounding may exceed high
+
   return values;
 }
 
@@ -113,7 +113,7 @@ void check_against(const Plan& plan, const std::vector<SettingSpec>& settings,
   Checker checker(plan, settings, outputs);
   for (const Sweep& sweep : plan.sweeps) checker.sweep(sweep);
   for (const Front& front : plan.fronts) checker.front(front);
-  checker.nothing_forgotten();
+  checker.check_all_settings_covered();
 }
 
 std::vector<SettingValue> default_values(const SettingSpec& setting) {
@@ -133,9 +133,9 @@ std::vector<SettingValue> default_values(const SettingSpec& setting) {
     low = whole ? 1 : setting.high * 1e-6;
   }
   if (low < setting.high)
-    for (const double number : by_factors(low, setting.high, count))
+    for (const double number : geometric_progression(low, setting.high, count))
       numbers.push_back(whole ? std::round(number) : number);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());  // rounding may give one twice
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());  // rounding may give duplicates
   for (const double number : numbers) {
     if (whole)
       values.emplace_back(int(number));

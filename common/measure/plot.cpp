@@ -13,20 +13,21 @@
 namespace atelier::measure {
 namespace {
 
-// M. Okabe and K. Ito, Color Universal Design, 2008: colours that people with any kind of colour vision tell apart.
-// Yellow is left out, since thin lines of it are lost on white. Each goes with a mark of its own.
+// M. Okabe and K. Ito, Color Universal Design, 2008: colours that people with any kind of colour vision can
+// distinguish. Without yellow, which is hard to see on white. Each colour has its own mark.
 struct Look {
   const char* colour;
-  int mark;  ///< gnuplot's number of a point type
+  int mark;  ///< gnuplot's point type
 };
 constexpr std::array<Look, palette_size> palette = {Look{"#0072b2", 7},  Look{"#d55e00", 5},  Look{"#009e73", 9},
                                                     Look{"#cc79a7", 13}, Look{"#56b4e9", 11}, Look{"#e69f00", 4},
                                                     Look{"#000000", 6}};
 constexpr const char* ink = "#22262b";
 constexpr const char* soft = "#646b74";
-constexpr int below_axis = 10;  ///< gnuplot's open triangle that points down
+constexpr int below_axis = 10;  ///< gnuplot's open triangle pointing down
 
-/// A text in single quotes, in which gnuplot reads nothing but '' for '. A line's end would end the command.
+/// A text in single quotes, in which gnuplot has no escapes but '' for '. Line breaks, which would end the command,
+/// become spaces.
 std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) {
@@ -51,24 +52,24 @@ void include(Range& range, bool& any, double value, Scale scale) {
   any = true;
 }
 
-/// What an axis must show, with a little air around it; `decades`: in full where it is logarithmic.
+/// The range of an axis with a margin around the values; `decades_in_full`: a logarithmic axis shows whole decades.
 Range widened(Range range, bool any, Scale scale, bool decades_in_full) {
   if (scale == Scale::linear) {
     const double width = range.high - range.low;
-    const double air = width > 0 ? 0.05 * width : std::max(1.0, std::abs(range.low)) * 0.5;
-    return {range.low - air, range.high + air};
+    const double margin = width > 0 ? 0.05 * width : std::max(1.0, std::abs(range.low)) * 0.5;
+    return {range.low - margin, range.high + margin};
   }
   if (!any) return {0.1, 1, range.has_zeros};
   Range decades = range;
   if (!decades_in_full) {
-    const double air = std::pow(std::max(range.high / range.low, 2.0), 0.05);
-    decades.low /= air, decades.high *= air;
+    const double margin = std::pow(std::max(range.high / range.low, 2.0), 0.05);
+    decades.low /= margin, decades.high *= margin;
     if (range.has_zeros) decades.low /= 10;
     return decades;
   }
-  constexpr double air = 0.08;  // of a decade, so that marks on a decade's line are whole
-  decades.low = std::pow(10, std::floor(std::log10(range.low) - air));
-  decades.high = std::pow(10, std::ceil(std::log10(range.high) + air));
+  constexpr double margin = 0.08;  // decades, so that marks on a decade's line are not cut
+  decades.low = std::pow(10, std::floor(std::log10(range.low) - margin));
+  decades.high = std::pow(10, std::ceil(std::log10(range.high) + margin));
   if (range.has_zeros) decades.low /= 10;
   return decades;
 }
@@ -85,7 +86,7 @@ Range range_of(const Plot& plot, const Axis& axis, int component) {
   for (const Mark& mark : plot.marks) take(mark.at[component]);
   if (component == 1)
     for (const Level& level : plot.levels)
-      take(level.below && axis.scale == Scale::logarithmic ? level.y / 2.5 : level.y);  // room for the words
+      take(level.below && axis.scale == Scale::logarithmic ? level.y / 2.5 : level.y);  // room for the label
   for (const Tick& tick : axis.ticks) take(tick.at);
   range =
       axis.ticks.empty() ? widened(range, any, axis.scale, component == 1) : Range{range.low - 0.5, range.high + 0.5};
@@ -99,7 +100,7 @@ void check(const Plot& plot) {
   if (std::all_of(plot.curves.begin(), plot.curves.end(), [](const Curve& c) { return c.points.empty(); }))
     refuse("there is nothing to draw");
   const auto finite = [&](double value, const std::string& of) {
-    if (!std::isfinite(value)) refuse(fmt::format("{} has a value of {}; only finite ones can be drawn", of, value));
+    if (!std::isfinite(value)) refuse(fmt::format("{} has a value of {}; only finite values can be drawn", of, value));
   };
   for (const Curve& curve : plot.curves) {
     for (const glm::dvec2& p : curve.points) finite(p.x, "'" + curve.title + "'"), finite(p.y, "'" + curve.title + "'");
@@ -134,7 +135,7 @@ std::string axis_script(const Axis& axis, const Range& range, char name) {
   return script + fmt::format("set {}tics nomirror\nset m{}tics {}\n", name, name, decades > 9 ? 2 : 10);
 }
 
-/// The data of one curve under the name $cN: x, y, and the spread's ends; what lies below a logarithmic axis in $zN.
+/// The data blocks of one curve. $cN: x, y and both ends of the spread; $zN: the points below a logarithmic axis.
 struct CurveData {
   std::string shown, below;
 };
@@ -165,7 +166,7 @@ const char* drawn_with(Curve::Style style) {
   return "linespoints";
 }
 
-/// One element of the plot command for the curve at `place`, and the data that it names.
+/// Adds the elements of the plot command for the curve at index `place`, and their data.
 void add_curve(const Plot& plot, std::size_t place, const Range& x, const Range& y, std::string& data,
                std::vector<std::string>& elements) {
   const Curve& curve = plot.curves[place];
@@ -202,7 +203,7 @@ std::string frame_script(const Plot& plot, const std::string& file) {
       plot.width, plot.height, quoted(file), soft, quoted(plot.title), ink, plot.x.ticks.empty() ? 3 : 5);
 }
 
-/// The line, and its words at the end that is farther from the curves.
+/// The line, with its label at the end that is farther from the curves.
 std::string level_script(const Plot& plot, const Level& level) {
   const auto far = [&](double y) {
     const bool decades = plot.y.scale == Scale::logarithmic && y > 0 && level.y > 0;
@@ -220,7 +221,7 @@ std::string level_script(const Plot& plot, const Level& level) {
       level.below ? "-0.6" : "0.6");
 }
 
-/// The words beside a ring: on the side where there is room.
+/// The label of a ring, on the side with more room.
 std::string mark_script(const Mark& mark, const Axis& axis, const Range& range) {
   const double along = axis.scale == Scale::logarithmic && mark.at.x > 0
                            ? std::log(mark.at.x / range.low) / std::log(range.high / range.low)
@@ -258,13 +259,12 @@ std::string plot_as_svg(const Plot& plot) {
   const TemporaryFolder folder("atelier-plot");
   const auto script = folder.path() / "plot.gp", picture = folder.path() / "plot.svg";
   write_file(script, gnuplot_script(plot, picture.string()));
-  if (!can_plot())
-    throw Error("plots are drawn by gnuplot, which is not installed; ./atelier doctor names its package");
+  if (!can_plot()) throw Error("gnuplot, which draws the plots, is not installed; ./atelier doctor names its package");
   const Finished finished = run_process({.arguments = {"gnuplot", "-d", script.string()}});
   if (!finished.ok() || !std::filesystem::exists(picture))
-    throw Error(fmt::format("gnuplot does not draw '{}': {}", plot.title, finished.output.substr(0, 500)));
+    throw Error(fmt::format("gnuplot cannot draw '{}': {}", plot.title, finished.output.substr(0, 500)));
   std::string svg = read_file(picture);
-  // What a screen reader says, and a browser shows on hovering.
+  // The title for screen readers and tooltips.
   const std::string by_default = "<title>Gnuplot</title>";
   if (const auto at = svg.find(by_default); at != std::string::npos) {
     std::string title;

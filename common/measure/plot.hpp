@@ -1,7 +1,7 @@
-// Plots of numbers, drawn by gnuplot into SVG: axes with units, curves with marks that need no colour to be told apart.
+// Plots as SVG, drawn by gnuplot: axes with units, and curves with different marks, so that colour is not needed to
+// distinguish them.
 //
-// Text is taken as it is: nothing in it is read as a command or as mark-up. The same plot gives the same bytes with the
-// same gnuplot.
+// Text is never interpreted as a command or as markup. The same plot gives the same bytes with the same gnuplot.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,7 +13,7 @@ namespace atelier::measure {
 
 enum class Scale { linear, logarithmic };
 
-/// A place on an axis that has a name, for what is no number: a choice, on, off.
+/// A labelled position on an axis, for values that are not numbers: a choice, on, off.
 struct Tick {
   double at = 0;
   std::string label;
@@ -22,30 +22,30 @@ struct Tick {
 struct Axis {
   std::string label;  ///< with the unit: "distance from the origin, m"
   Scale scale = Scale::linear;
-  std::optional<double> low, high;  ///< none: just wide enough for what is drawn
+  std::optional<double> low, high;  ///< none: wide enough for all that is drawn
   std::vector<Tick> ticks;          ///< empty: round numbers
 };
 
-/// Points in the order in which they are joined. On a logarithmic axis a value of zero or less, which has no place, is
-/// drawn on the axis' lower end as an open triangle that points down; so no point is lost without a word.
+/// Points in the order in which they are joined. A logarithmic axis cannot show a value of zero or less: it is drawn at
+/// the axis' lower end, as an open triangle pointing down.
 struct Curve {
   enum class Style { marks_and_line, marks, line, dashes };
-  std::string title;  ///< in the key; empty: not in it
+  std::string title;  ///< in the legend; empty: not listed
   std::vector<glm::dvec2> points;
   Style style = Style::marks_and_line;
-  int colour = -1;  ///< 0.. of the palette, and so the kind of mark; -1: by its place among the curves
-  /// The spread of each point along x (a time's least and most), drawn as a bar; empty: none. As many as points.
+  int colour = -1;  ///< palette index, which also selects the mark; -1: the curve's index
+  /// The range of each point along x (smallest and largest time), drawn as a bar. Empty, or one per point.
   std::vector<glm::dvec2> spread{};
 };
 
-/// A horizontal line right across, with its words at the end that is farther from the curves: a noise floor, a bound.
+/// A horizontal line across the plot, such as a noise floor, with its label at the end farther from the curves.
 struct Level {
   double y = 0;
   std::string text;
-  bool below = false;  ///< the words stand below the line: right where no curve goes below it
+  bool below = false;  ///< puts the label below the line: for a line that no curve goes below
 };
 
-/// A ring round a point, with words beside it.
+/// A ring around a point, with a label.
 struct Mark {
   glm::dvec2 at{0};
   std::string text;
@@ -62,11 +62,11 @@ struct Plot {
 
 inline constexpr int palette_size = 7;
 
-/// The commands that draw it, into `file`. Throws Error naming the plot where there is nothing to draw, a value is not
-/// finite, a spread does not match its points, or an end of a logarithmic axis is not above zero.
+/// The gnuplot commands that draw the plot into `file`. Throws Error naming the plot if there is nothing to draw, a
+/// value is not finite, the spreads do not match the points, or a limit of a logarithmic axis is not above zero.
 std::string gnuplot_script(const Plot& plot, const std::string& file);
 
-/// The picture. Throws as gnuplot_script does, and where gnuplot is missing or refuses.
+/// The plot as SVG. Throws as gnuplot_script does, and if gnuplot is missing or fails.
 std::string plot_as_svg(const Plot& plot);
 
 /// Whether gnuplot can be started.

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using strict_json::Json;
 
-constexpr std::chrono::hours time_limit{2};   ///< of one program with all its cases; tracing is slow
+constexpr std::chrono::hours time_limit{2};   ///< of one run with all its cases; tracing is slow
 constexpr std::size_t stats_limit = 1 << 16;  ///< bytes of a NAME.stats
 
 std::map<std::string, std::string> environment_of(const Program& program) {
@@ -36,13 +36,13 @@ std::string run(const Program& program, std::vector<std::string> arguments) {
       {.arguments = arguments, .folder = {}, .environment = environment_of(program), .time_limit = time_limit});
   if (finished.ok()) return finished.output;
   const std::string how = finished.signal      ? signal_name(finished.signal)
-                          : finished.timed_out ? "it took too long"
-                                               : fmt::format("status {}", finished.exit_status);
+                          : finished.timed_out ? "it exceeded the time limit"
+                                               : fmt::format("exit status {}", finished.exit_status);
   throw Error(
       fmt::format("{}: {}: {}", program.file.filename().string(), how, shorten(printable(finished.output), 600)));
 }
 
-/// Has the program answer the cases with `options`, and hands the folder of its answers to `take`.
+/// Runs the program on the cases with `options`, then calls `take` for each case with the folder of the answers.
 template <class Take>
 void answer(const Program& program, const std::vector<Case>& cases, const std::vector<std::string>& options,
             Take take) {
@@ -65,14 +65,14 @@ void answer(const Program& program, const std::vector<Case>& cases, const std::v
 }
 
 Cost read_cost(const fs::path& file) {
-  constexpr double most = 1e9;  // seconds, or frames
+  constexpr double largest = 1e9;  // seconds, or frames
   Cost cost;
   for (const auto& [name, count] : read_counts(file)) cost.counts[name] = double(count);
   const std::string where = file.filename().string();
   const Json json = strict_json::parse(read_file(file, stats_limit), where);
   if (const Json* frames = strict_json::optional(json, "frames")) {
     const auto member = [&](const char* name) {
-      return strict_json::number(strict_json::required(*frames, name, where), where + ": frames: " + name, 0, most);
+      return strict_json::number(strict_json::required(*frames, name, where), where + ": frames: " + name, 0, largest);
     };
     cost.times = {.count = int(member("count")),
                   .median = member("median_s"),

@@ -1,5 +1,5 @@
-// A step program, asked for pictures, for their truth and for what they cost. It is a process of its own, and what it
-// writes is read as the judge reads it: nothing of a step is ever linked here.
+// Runs a step program to get pictures, their ground truth and their cost. It runs as a separate process, and its files
+// are read as the judge reads them.
 #pragma once
 
 #include <filesystem>
@@ -17,11 +17,11 @@ namespace atelier::measure {
 struct Program {
   std::filesystem::path file;  ///< BIN/NN-name
   Implementations implementations;
-  std::string context;                 ///< "osmesa", "egl", "window"; empty: what the program takes by itself
+  std::string context;                 ///< "osmesa", "egl", "window"; empty: the program's default
   std::filesystem::path shader_cache;  ///< the driver's; empty: none
 };
 
-/// What --list --json says of it.
+/// The program's settings and outputs, from --list --json.
 struct Listing {
   std::vector<SettingSpec> settings;
   std::map<std::string, Encoding> outputs;
@@ -29,13 +29,13 @@ struct Listing {
 };
 Listing list_of(const Program& program);
 
-/// Wall time of a frame, from the first call to OpenGL to the end of glFinish, in seconds.
+/// Wall-clock time of a frame, from the first OpenGL call to the end of glFinish, in seconds.
 struct FrameTimes {
   int count = 0;
   double median = 0, least = 0, most = 0;
 };
 
-/// What a picture costs: what was counted while it was drawn, by name, and its times where it was repeated.
+/// The cost of a picture: counts by name, and frame times if it was drawn repeatedly.
 struct Cost {
   std::map<std::string, double> counts;
   std::optional<FrameTimes> times;
@@ -46,12 +46,12 @@ struct Drawn {
   Cost cost;
 };
 
-/// Draws each case; with `repeats` above 0 so often more, to time it. The driver draws in the calling thread alone,
-/// with its shaders optimised as they are for everybody (the judge does without, since that is faster for a single
-/// frame). Throws Error with the program's own sentence where it refuses a case, and where an answer cannot be read.
+/// Draws each case, and then `repeats` times more for timing. The driver uses the calling thread only and optimises its
+/// shaders (the judge turns that off, which is faster for a single frame). Throws Error with the program's message if
+/// it refuses a case, and if an answer cannot be read.
 std::vector<Drawn> draw(const Program& program, const std::vector<Case>& cases, int repeats = 0);
 
-/// The truth of each case, by n x n rays a pixel.
+/// The ground truth of each case, with samples x samples rays per pixel.
 std::vector<Image> trace(const Program& program, const std::vector<Case>& cases, int samples = 1);
 
 }  // namespace atelier::measure

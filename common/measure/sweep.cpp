@@ -19,12 +19,12 @@ Case with(Case ask, const Chosen& settings, std::string name) {
   return ask;
 }
 
-/// Asks for every truth once: many points of a sweep share theirs.
+/// Makes every truth once, since many points of a sweep share theirs.
 class Truths {
  public:
   explicit Truths(const Truth& truth) : truth_(truth) {}
 
-  /// The place of this picture's truth among those that are asked for.
+  /// The index of this picture's truth in what make() returns.
   std::size_t place_for(const Case& picture) {
     Case asked = with(picture, truth_.settings, "truth");
     const std::string key = to_json(asked).dump();
@@ -55,7 +55,7 @@ class Truths {
   std::vector<Case> asks_;
 };
 
-/// Fills in errors and costs of points whose `chosen` is there.
+/// Fills in the errors and costs of points whose `chosen` is set.
 void measure_points(const Program& program, const Listing& listing, const Case& ask, const Truth& truth, Metric metric,
                     const SweepOptions& options, std::vector<Point>& points) {
   std::vector<Case> cases;

@@ -1,4 +1,4 @@
-// A plan, carried out: pictures, their truths, errors and costs.
+// Runs a measurement plan: draws pictures and their truths, and computes errors and costs.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace atelier::measure {
 
 /// One picture of a sweep or a front.
 struct Point {
-  std::map<std::string, SettingValue> chosen;  ///< what is swept, by setting
+  std::map<std::string, SettingValue> chosen;  ///< the swept settings' values
   std::string curve;                           ///< the second setting's value as text; empty without one
-  std::string value;                           ///< the swept value as text; of a front: all that is chosen
-  double x = 0;                                ///< the value where it is a number, otherwise its place in the list
-  double error = 0;                            ///< by the sweep's own metric
-  std::optional<double> rmse, flip;            ///< beside it; none where the truth is a number, flip for colours only
+  std::string value;                           ///< the swept value as text; of a front: all chosen values
+  double x = 0;                                ///< the value if it is a number, otherwise its index
+  double error = 0;                            ///< in the plan's metric
+  std::optional<double> rmse, flip;            ///< none if the truth is a number; flip for colours only
   Cost cost;
 };
 
 struct SweepResult {
-  Sweep plan;  ///< its values filled in
+  Sweep plan;  ///< with its default values filled in
   bool numeric = false;
   std::vector<Point> points;  ///< curve by curve, values in their order
 };
@@ -33,21 +33,19 @@ struct FrontResult {
   std::vector<Point> points;
 };
 
-/// `repeats` frames to time each picture with; 0: no times.
 struct SweepOptions {
-  int repeats = 0;
+  int repeats = 0;  ///< frames to time each picture with; 0: no times
 };
 
 SweepResult run_sweep(const Program& program, const Listing& listing, const Sweep& sweep, const SweepOptions& options);
 FrontResult run_front(const Program& program, const Listing& listing, const Front& front, const SweepOptions& options);
 
-/// The texts of the curves, in their order: "" alone where there is but one.
+/// The texts of the curves in order; only "" for a sweep without a second setting.
 std::vector<std::string> curves_of(const SweepResult& result);
 /// (x, error) of one curve.
 std::vector<glm::dvec2> curve_points(const SweepResult& result, const std::string& curve);
 
-/// The error that remains at the best value of all (noise_floor of every point); 0 where the errors are no errors but
-/// means.
+/// The noise_floor of all points; 0 for the metric `mean`, whose values are not errors.
 double floor_of(const SweepResult& result);
 
 }  // namespace atelier::measure

@@ -101,7 +101,7 @@ OrderedJson json_of(const FrontResult& front) {
 }
 
 struct Row {
-  std::string name;  ///< all but the error
+  std::string name;  ///< all columns but the error
   double error = 0;
 };
 
@@ -109,7 +109,7 @@ std::vector<Row> rows_of(const std::string& csv) {
   std::vector<Row> rows;
   std::istringstream text(csv);
   std::string line;
-  std::getline(text, line);  // the heads
+  std::getline(text, line);  // the header
   while (std::getline(text, line)) {
     const auto comma = line.rfind(',');
     if (comma == std::string::npos) continue;
@@ -153,15 +153,15 @@ std::string errors_as_csv(const SweepResult& result) {
 std::string difference(const std::string& ours, const std::string& stored) {
   constexpr double relative = 0.1, of_largest = 0.01;
   const std::vector<Row> a = rows_of(ours), b = rows_of(stored);
-  if (ours.substr(0, ours.find('\n')) != stored.substr(0, stored.find('\n'))) return "the columns are others";
-  if (a.size() != b.size()) return fmt::format("{} lines where {} are stored", a.size(), b.size());
+  if (ours.substr(0, ours.find('\n')) != stored.substr(0, stored.find('\n'))) return "the columns differ";
+  if (a.size() != b.size()) return fmt::format("{} lines, but {} are stored", a.size(), b.size());
   double largest = 0;
   for (const Row& row : b) largest = std::max(largest, std::abs(row.error));
   for (std::size_t i = 0; i < a.size(); ++i) {
-    if (a[i].name != b[i].name) return fmt::format("a line for {} where one for {} is stored", a[i].name, b[i].name);
+    if (a[i].name != b[i].name) return fmt::format("a line for {}, but one for {} is stored", a[i].name, b[i].name);
     const double allowed = std::max(relative * std::abs(b[i].error), of_largest * largest);
     if (!(std::abs(a[i].error - b[i].error) <= allowed))
-      return fmt::format("{}: {:.4g} where {:.4g} is stored", a[i].name, a[i].error, b[i].error);
+      return fmt::format("{}: {:.4g}, but {:.4g} is stored", a[i].name, a[i].error, b[i].error);
   }
   return {};
 }

@@ -1,4 +1,4 @@
-// Results as text for other programs: CSV for a spreadsheet, JSON for everything.
+// Results for other programs: as CSV for spreadsheets, and as JSON.
 #pragma once
 
 #include <string>
@@ -10,31 +10,32 @@ namespace atelier::measure {
 
 struct StepMeasured {
   std::string step;                                ///< "02-blinn-phong"
-  std::map<std::string, std::string> environment;  ///< driver, processor: what the times belong to
+  std::map<std::string, std::string> environment;  ///< driver, processor ...: where the times were measured
   std::vector<SweepResult> sweeps;
   std::vector<FrontResult> fronts;
 };
 
 /// A line for each point of every sweep and front: sweep, curve, value, metric, error, rmse, flip, times in seconds,
-/// and a column for each count. What is not there is empty. RFC 4180.
+/// and a column for each count. Missing values are empty. RFC 4180.
 std::string as_csv(const StepMeasured& measured);
 
-/// Sweeps with fits, floors and findings, fronts with their Pareto fronts and knees.
+/// Sweeps with fits, noise floors and findings; fronts with their Pareto fronts and knees.
 std::string as_json(const StepMeasured& measured);
 
-/// What a handout's plot shows, without what depends on the machine's speed: "curve,value,error" a line. Six digits.
+/// The numbers of a handout's plot, which do not depend on the machine's speed: a line "curve,value,error" per point,
+/// with six digits.
 std::string errors_as_csv(const SweepResult& result);
 
-/// The first place where two such tables differ, in words; empty where they agree. Processors of different makers draw
-/// colours that are up to 3/255 apart (CONTRIBUTING.md, Determinism), which moves an error by a part of itself, so an
-/// error may be off by a tenth, or by a hundredth of the largest in the table.
+/// Describes the first difference between two such tables; empty if they agree. Processors of different makers draw
+/// colours up to 3/255 apart (CONTRIBUTING.md, Determinism), so an error may differ by a tenth of itself or by a
+/// hundredth of the largest error in the table.
 std::string difference(const std::string& ours, const std::string& stored);
 
-/// The median time and the error of a front's points, those on its Pareto front, and its knee, as places among its
-/// points. No times: nothing.
+/// The points of a front as (time, error), and the indices of its Pareto front and knee. Empty if there are no times.
 struct Ranking {
-  std::vector<glm::dvec2> points;   ///< (seconds, error)
-  std::vector<std::size_t> front;   ///< from the fastest to the most exact
+  std::vector<glm::dvec2> points;  ///< (median seconds, error)
+  std::vector<std::size_t> front;  ///< from the fastest to the most accurate
+
   std::optional<std::size_t> knee;  ///< the recommended default
 };
 Ranking rank(const FrontResult& front);

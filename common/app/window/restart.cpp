@@ -54,7 +54,7 @@ Snapshot step_shaders(const Implementations& implementations) {
       const std::string name = step.path().filename().string();
       if (!root.only.empty() && root.only != name && !root.only.starts_with(name + "/")) continue;
       for (const auto& file : fs::directory_iterator(step.path(), missing))
-        if (is_shader(file.path()) && root.answers_for(name + "/" + file.path().filename().string()))
+        if (is_shader(file.path()) && root.applies_to(name + "/" + file.path().filename().string()))
           look_at_file(snapshot, file.path());
     }
   return snapshot;

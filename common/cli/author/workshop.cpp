@@ -102,7 +102,7 @@ judge::RunSettings Workshop::settings(const Version& version) const {
   settings.implementations = search_path(folders_, step_, version.code, earlier_);
   settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
-  settings.most_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
+  settings.max_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
   settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is the project's own code
   return settings;
 }

@@ -1,4 +1,4 @@
-// ./atelier grade: somebody's submission, step by step, and the files that a grader and other programs read.
+// ./atelier grade: judges a submission step by step and writes the result files.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -29,26 +29,26 @@ namespace {
 namespace fs = std::filesystem;
 using judge::StepResult;
 
-/// Everything that the steps of one submission share.
+/// Data shared by all steps of one submission.
 struct Grading {
   ProjectFolders folders = project_folders();
   std::vector<CourseStep> course = read_course(folders.step_flags());
   judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
-  TemporaryFolder workshop{"atelier-grade"};  ///< the private copy, what is built from it, the driver's cache
+  TemporaryFolder work_folder{"atelier-grade"};  ///< the copied files, their libraries, the driver's cache
   grade::Submission submission;
 };
 
-/// Makes the folder of the results before anybody is graded: an hour's work must not end in front of a closed door.
+/// Creates the results folder before grading, so that a long run does not fail at the end.
 void prepare_results_folder(const fs::path& out) {
   std::error_code error;
   fs::create_directories(out, error);
   if (error || ::access(out.c_str(), W_OK) != 0)
-    throw Error(fmt::format("--out {}: results cannot be written there ({}); name a folder of your own", out.string(),
+    throw Error(fmt::format("--out {}: results cannot be written there ({}); name a writable folder", out.string(),
                             error ? error.message() : std::strerror(errno)));
 }
 
-/// How this very submission is judged again, case by case; empty for an archive, which `check` cannot read.
-void point_to_submission(judge::SubmissionResult& result, const fs::path& source) {
+/// Sets the commands that judge a case of this submission again; empty for an archive, which `check` cannot read.
+void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source) {
   const std::string folder = source.empty() ? "" : shell_word(source.string());
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
@@ -56,7 +56,7 @@ void point_to_submission(judge::SubmissionResult& result, const fs::path& source
           folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
 }
 
-/// The steps that were asked for, or those that were handed in.
+/// The requested steps, or all that were handed in.
 std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector<std::string>& asked) {
   std::vector<CourseStep> steps = resolve_steps(grading.course, asked);
   if (asked.empty())
@@ -67,16 +67,16 @@ std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector
 StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
                       const grade::StepJudge& judge, const StopOnSignal& stop, Progress& progress) {
   const grade::Submission& submission = grading.submission;
-  if (const auto found = submission.passed_over.find(step.name); found != submission.passed_over.end())
+  if (const auto found = submission.skipped.find(step.name); found != submission.skipped.end())
     return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
   if (!submission.present.contains(step.name)) return judge.judge_absent();
-  if (const auto found = submission.not_taken.find(step.name); found != submission.not_taken.end())
+  if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
     return judge.judge_unbuilt(judge::not_built(found->second));
 
-  const grade::Code code{.sources = submission.folder, .libraries = grading.workshop.path() / "libraries"};
+  const grade::Code code{.sources = submission.folder, .libraries = grading.work_folder.path() / "libraries"};
   progress.building(step.name);
   const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
-  if (stop.asked()) throw judge::Interrupted();  // a compiler that was stopped has no say
+  if (stop.requested()) throw judge::Interrupted();  // do not blame the student for an interrupted compiler
   if (!built.ok) return judge.judge_unbuilt(built);
 
   const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
@@ -88,8 +88,8 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   settings.context = options.context;
   settings.workers = options.workers;
   settings.shuffle = options.shuffle;
-  settings.interrupted = [&] { return stop.asked(); };
-  settings.shader_cache = grading.workshop.path() / "shaders";  // it holds machine code: never shared
+  settings.interrupted = [&] { return stop.requested(); };
+  settings.shader_cache = grading.work_folder.path() / "shaders";  // never shared, since it contains machine code
   std::size_t judged = 0;
   const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
   StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
@@ -112,7 +112,7 @@ int run_grade(const GradeOptions& options) {
   const StopOnSignal stop;
   Grading grading;
   grading.submission =
-      grade::take_submission(grading.flags, options.submission, grading.workshop.path() / "submission");
+      grade::take_submission(grading.flags, options.submission, grading.work_folder.path() / "submission");
   const fs::path out =
       options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
 
@@ -120,11 +120,11 @@ int run_grade(const GradeOptions& options) {
   const judge::Environment environment =
       grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
   if (const std::string& driver = environment.at("driver"); driver.starts_with(grade::no_driver))
-    throw Error(fmt::format("nothing can be drawn on this machine, so nobody is graded: {}",
-                            driver.substr(grade::no_driver.size())));
+    throw Error(
+        fmt::format("this machine cannot draw, so nothing is graded: {}", driver.substr(grade::no_driver.size())));
   prepare_results_folder(out);
 
-  // All references before the first program: where one is broken nobody is graded, not half of the class.
+  // Read all references first: if one is broken, nothing is graded.
   std::deque<grade::StepJudge> judges;
   for (const CourseStep& step : steps) {
     judges.emplace_back(grade::Criteria{.cases = grading.folders.case_file(step.name),
@@ -141,10 +141,10 @@ int run_grade(const GradeOptions& options) {
     progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
   progress.clear();
   grade::sum_up(result);
-  point_to_submission(result, grading.submission.source);
+  set_rerun_commands(result, grading.submission.source);
   result.notes = grading.submission.notes;
 
-  // Written first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;
   try {
     write_results(result, out);

@@ -1,4 +1,4 @@
-// ./atelier release: what students get of one step, of several, or of the course, as a folder or a ZIP.
+// ./atelier release: makes the students' version of one step, several steps or the course, as a folder or a ZIP.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -22,7 +22,7 @@ Earlier earlier_named(const std::string& name) {
 }
 
 std::vector<CourseStep> steps_named(const std::vector<CourseStep>& course, const std::vector<std::string>& names) {
-  if (names.empty()) throw Error("release: say which step, as in ./atelier release 01 --out FOLDER, or all");
+  if (names.empty()) throw Error("release: name a step, as in ./atelier release 01 --out FOLDER, or all");
   if (names != std::vector<std::string>{"all"}) return resolve_steps(course, names);
   return course;
 }
@@ -34,13 +34,13 @@ void refuse_to_overwrite(const fs::path& folder) {
     throw Error(fmt::format("--out {}: is not empty; name a new folder, or a file that ends in .zip", folder.string()));
 }
 
-/// Writes beside the folder and renames: there is the whole release or none.
+/// Atomic: writes a temporary folder and renames it.
 void write_folder(const fs::path& folder, const grade::PackedFiles& files) {
   const fs::path absolute = fs::absolute(folder).lexically_normal();
   const fs::path target = absolute.has_filename() ? absolute : absolute.parent_path();  // "out/" is "out"
   const fs::path part = target.parent_path() / fmt::format(".atelier-{}.part", ::getpid());
   try {
-    fs::remove_all(part);  // of a run that was killed
+    fs::remove_all(part);  // left by a killed run
     for (const auto& [path, file] : files) {
       write_file(part / path, file.bytes);
       if (file.executable)
@@ -67,7 +67,7 @@ void print_summary(const Release& release, const std::vector<CourseStep>& steps,
   fmt::print("  left out  {} files of solutions, {} patches, {} hidden cases worth {:g} points\n", release.solutions,
              release.patches, release.hidden, release.hidden_points);
   if (!release.untracked.empty())
-    fmt::print("  left out  {} files that git does not know: {}\n", release.untracked.size(), join(release.untracked));
+    fmt::print("  left out  {} files not tracked by git: {}\n", release.untracked.size(), join(release.untracked));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-/// The project's files as git lists them; nothing where the project is no working tree, or there is no git.
+/// The files that git tracks; nothing if the project is not a git working tree or git is missing.
 std::optional<std::set<std::string>> files_of_git(const fs::path& root) {
   std::set<std::string> files;
   try {
@@ -38,7 +38,7 @@ std::optional<std::set<std::string>> files_of_git(const fs::path& root) {
   } catch (const Error&) {
     return std::nullopt;
   }
-  if (!files.contains("CMakeLists.txt")) return std::nullopt;  // a copy inside somebody else's working tree
+  if (!files.contains("CMakeLists.txt")) return std::nullopt;  // a copy inside another working tree
   return files;
 }
 
@@ -46,7 +46,8 @@ bool contains(const std::vector<CourseStep>& steps, const CourseStep& step) {
   return std::any_of(steps.begin(), steps.end(), [&](const CourseStep& s) { return s.name == step.name; });
 }
 
-/// The steps that `steps` use, themselves left out; a step is behind all that it uses.
+/// The steps that `steps` use, directly or indirectly, without `steps` themselves. In `course` each step comes after
+/// all that it uses.
 std::vector<CourseStep> earlier_steps(const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps) {
   std::set<std::string> used;
   std::vector<CourseStep> earlier;
@@ -99,12 +100,12 @@ class Packer {
  private:
   void put(const std::string& path, std::string bytes) { release_.files[path].bytes = std::move(bytes); }
 
-  /// A file of the project, under its own path or another.
+  /// Packs a file of the project, optionally with another path.
   void take(const std::string& path, const std::string& as = "") {
     put(as.empty() ? path : as, read_file(folders_.root / path));
   }
 
-  /// The files in a folder whose extension, or name, is among `kinds`, and that git knows.
+  /// Packs the tracked files in a folder whose extension or name is in `kinds`.
   void take_below(const std::string& folder, const std::set<std::string>& kinds) {
     for (const auto& entry : fs::recursive_directory_iterator(folders_.root / folder)) {
       const fs::path& path = entry.path();
@@ -130,7 +131,7 @@ class Packer {
     take_below("common", {".cpp", ".hpp", ".glsl", ".cmake", ".sh", ".css", ".js", "CMakeLists.txt"});
   }
 
-  /// The contract, the five lines of a README, and what is given.
+  /// The contract, the README and the given code.
   void pack_given(const CourseStep& step) {
     const std::string folder = "steps/" + step.name;
     for (const auto& entry : fs::directory_iterator(folders_.root / folder))
@@ -146,7 +147,7 @@ class Packer {
     }
   }
 
-  /// With its pictures. A link to a handout that does not come along loses its target and keeps its words.
+  /// With its pictures. A link to a handout that is not packed becomes plain text.
   void pack_handout(const CourseStep& step) {
     const std::string path = "handouts/" + step.name + ".md";
     if (!fs::exists(folders_.root / path)) return;
@@ -181,7 +182,7 @@ class Packer {
     release_.hidden_points += visible.hidden_points;
   }
 
-  /// Without those of functions that only hidden cases ask for.
+  /// Without the hints for functions that only hidden cases test.
   void pack_hints(const CourseStep& step, const VisibleCases& visible) {
     const fs::path file = folders_.hints_file(step.name);
     if (!fs::exists(file)) return;
@@ -195,7 +196,7 @@ class Packer {
     put("tests/cases/" + step.name + "/hints.json", hints.dump(2) + "\n");
   }
 
-  /// What a verdict says of each mistake, and not how it is made.
+  /// Only what verdicts need: the mistakes' names and texts, not their patches.
   void pack_mistakes(const CourseStep& step) {
     const fs::path file = folders_.mistakes_file(step.name);
     if (!fs::exists(file)) return;
@@ -210,7 +211,7 @@ class Packer {
     for (const std::string& file : step.files) pack_finished("solutions/" + step.name + "/" + file);
   }
 
-  /// A file of a solution, without the marks that a skeleton is cut by.
+  /// A file of a solution without the marks for making its skeleton.
   void pack_finished(const std::string& path) { put(path, finished_text(read_file(folders_.root / path), path)); }
 
   void pack_library(const CourseStep& step) {
@@ -225,11 +226,11 @@ class Packer {
     if (compiled) put(folder + "libstep.so", stripped_library(step));
   }
 
-  /// Without what a debugger reads: names of files on this machine, and lines of the source.
+  /// Without debug information, which has file names of this machine and refers to source lines.
   std::string stripped_library(const CourseStep& step) const {
     const fs::path library = folders_.implementations() / "solutions" / step.name / "libstep.so";
     if (!fs::exists(library))
-      throw Error(fmt::format("{}: is missing; build the project, then release again", library.string()));
+      throw Error(fmt::format("{}: is missing; build the project, then repeat the release", library.string()));
     const TemporaryFolder scratch("atelier-strip");
     const fs::path stripped = scratch.path() / "libstep.so";
     const Finished strip =
@@ -249,7 +250,7 @@ class Packer {
   void refuse_leaks(const std::set<std::string>& lines) const {
     const std::vector<Leak> leaks = find_leaks(release_.files, lines);
     if (leaks.empty()) return;
-    throw Error(fmt::format("{}: holds a line of a solution, '{}' ({} such lines in all): nothing was released",
+    throw Error(fmt::format("{}: contains a line of a solution, '{}' ({} such lines in total): nothing was released",
                             leaks.front().file, leaks.front().line, leaks.size()));
   }
 
@@ -269,7 +270,7 @@ void require_solutions(const ProjectFolders& folders, const std::vector<CourseSt
   for (const CourseStep& step : course)
     for (const std::string& file : step.files)
       if (!fs::exists(folders.solutions() / step.name / file))
-        throw Error(fmt::format("{}: is missing; a release is made from the whole project, solutions included",
+        throw Error(fmt::format("{}: is missing; a release needs the whole project with all solutions",
                                 (folders.solutions() / step.name / file).string()));
 }
 

@@ -15,7 +15,7 @@ void append_files_below(const fs::path& folder, std::string& text) {
     if (entry.is_regular_file() && entry.path().extension() != ".png") text += read_file(entry.path()) + "\n";
 }
 
-/// What everybody gets of a step: the contract, and the given code.
+/// The files of a step that all students get: the contract and the given code.
 void append_given_files(const fs::path& folder, std::string& text) {
   for (const auto& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".hpp") text += read_file(entry.path()) + "\n";
@@ -38,7 +38,7 @@ std::set<std::string> distinctive_lines(const ProjectFolders& folders, const std
       given += secret ? cut_skeleton(marked, where, step.name) : marked;
       if (!secret) continue;
       for (std::string& line : solution_lines(marked, where))
-        if (line.size() >= least_distinctive) lines.insert(std::move(line));
+        if (line.size() >= min_line_length) lines.insert(std::move(line));
     }
   }
   std::erase_if(lines, [&](const std::string& line) { return given.find(line) != given.npos; });

@@ -1,4 +1,4 @@
-// A last look through what students get: no line of a solution may be in it.
+// Checks that a release contains no line of a solution.
 #pragma once
 
 #include <set>
@@ -10,12 +10,12 @@
 
 namespace atelier {
 
-/// Lines shorter than this say too little: `return false;` is in many a file.
-inline constexpr std::size_t least_distinctive = 25;  ///< bytes, without the blanks round the line
+/// Shorter lines, such as `return false;`, are not distinctive.
+inline constexpr std::size_t min_line_length = 25;  ///< bytes, without the surrounding blanks
 
-/// What only the solutions of `steps` say: their lines (solution_lines) of at least least_distinctive bytes, but those
-/// that the project gives everybody too: in common/, in the handouts, in the given files of any step, in a skeleton, or
-/// in the solution of a step that is not among `steps`.
+/// The lines (solution_lines) of the solutions of `steps` with at least min_line_length bytes, except those that are
+/// also in common/, in the contract or given code of a step, in a skeleton, or in the solution of a step not in
+/// `steps`.
 std::set<std::string> distinctive_lines(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                                         const std::vector<CourseStep>& steps);
 
@@ -23,7 +23,7 @@ struct Leak {
   std::string file, line;
 };
 
-/// Every one of `lines` that stands in a text file (one without a null byte), in the order of the files.
+/// Every occurrence of `lines` in the text files (files without a null byte), in the order of the files.
 std::vector<Leak> find_leaks(const grade::PackedFiles& files, const std::set<std::string>& lines);
 
 }  // namespace atelier

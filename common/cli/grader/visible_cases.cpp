@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 using OrderedJson = nlohmann::ordered_json;
 
-/// The file without the cases named in `hidden`: as it stands where none is, so that its layout stays.
+/// The file without the cases in `hidden`. A file that does not use "hidden" is unchanged and keeps its layout.
 std::string without_hidden(const std::string& text, const std::set<std::string>& hidden) {
   if (text.find("\"hidden\"") == text.npos) return text;
   OrderedJson document = OrderedJson::parse(text);

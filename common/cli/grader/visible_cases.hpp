@@ -1,4 +1,4 @@
-// The cases of a step that students may see, and the files that belong to them.
+// The visible cases of a step, and their files.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 namespace atelier {
 
 struct VisibleCases {
-  std::string text;  ///< cases.json without the hidden cases and without the word
+  std::string text;  ///< cases.json without hidden cases and without the member "hidden"
   std::vector<judge::JudgedCase> cases;
   std::set<std::filesystem::path> files;  ///< references, sidecars, atlases
-  int hidden = 0;                         ///< how many there are
+  int hidden = 0;                         ///< number of hidden cases
   double hidden_points = 0;
 };
 
-/// Throws Error where the file is broken, where a reference is missing, and where every case is hidden.
+/// Throws Error if the file is broken, a reference is missing, or every case is hidden.
 VisibleCases visible_cases(const std::filesystem::path& case_file);
 
 }  // namespace atelier

@@ -66,7 +66,7 @@ int run_check(const CheckOptions& options) {
 
   judge::SubmissionResult result;
   result.submission = "yours";
-  result.steps.push_back(check.judge([&] { return stop.asked(); }));
+  result.steps.push_back(check.judge([&] { return stop.requested(); }));
   grade::sum_up(result);
   // Recorded first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
   std::exception_ptr not_recorded;

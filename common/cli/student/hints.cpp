@@ -99,7 +99,7 @@ FunctionHints read_hints(const fs::path& file, const CaseFile& cases) {
   const std::string where = file.string();
   const Json document = strict_json::parse(read_file(file, 1 << 20), where);
   strict_json::refuse_unknown(document, {"schema", "step", "functions"}, where);
-  strict_json::whole(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
+  strict_json::integer(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
   strict_json::one_of(strict_json::required(document, "step", where), where + ": step", {cases.step});
   const Json& functions = strict_json::required(document, "functions", where);
   const std::set<std::string> known = functions_of(cases);

@@ -87,7 +87,7 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
   }
   judge::StepResult result =
       own.built.ok ? judge_.judge(settings, judge::KeepEvidence::always) : judge_.judge_unbuilt(own.built);
-  if (own.built.not_taken.empty()) result.build_log = own.built.log;
+  if (own.built.unusable.empty()) result.build_log = own.built.log;
   result.implementations = in_words(own.earlier, step_.name, "yours");
   return result;
 }

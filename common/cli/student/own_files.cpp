@@ -32,7 +32,7 @@ grade::PackedFiles read_own_files(const ProjectFolders& folders, const CourseSte
   grade::PackedFiles files;
   for (const std::string& file : step.files) {
     const fs::path path = folders.steps() / step.name / file;
-    if (const std::string why = judge::why_not_taken(path); !why.empty())
+    if (const std::string why = judge::why_unusable(path); !why.empty())
       throw Error(fmt::format("{}: {}; it must be a regular file of yours; nothing was packed", path.string(), why));
     files[step.name + "/" + file].bytes = read_file(path, judge::source_limit);
   }

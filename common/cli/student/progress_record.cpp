@@ -42,7 +42,7 @@ CheckRecord check_from(const Json& value, const std::string& where) {
   check.max_score = strict_json::number(member("max_score"), where + ": max_score", 0, most_points);
   check.files = digest(member("files"), where + ": files");
   for (const auto& [name, passed] : object(member("cases"), where + ": cases").items())
-    check.cases[name] = strict_json::flag(passed, where + ": cases: " + name);
+    check.cases[name] = strict_json::boolean(passed, where + ": cases: " + name);
   return check;
 }
 
@@ -54,14 +54,14 @@ StepProgress step_from(const Json& value, const std::string& where) {
   if (const Json* check = strict_json::optional(value, "check")) step.check = check_from(*check, where + ": check");
   if (const Json* hints = strict_json::optional(value, "hints"))
     for (const auto& [name, level] : object(*hints, where + ": hints").items())
-      step.hints[name] = strict_json::whole(level, where + ": hints: " + name, 1, most_hints);
+      step.hints[name] = strict_json::integer(level, where + ": hints: " + name, 1, most_hints);
   return step;
 }
 
 ProgressRecord record_from(const std::string& text, const std::string& where) {
   const Json document = strict_json::parse(text, where);
   strict_json::refuse_unknown(document, {"schema", "steps"}, where);
-  strict_json::whole(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
+  strict_json::integer(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
   ProgressRecord record;
   for (const auto& [name, step] : object(strict_json::required(document, "steps", where), where + ": steps").items())
     record[name] = step_from(step, where + ": " + name);

@@ -136,7 +136,7 @@ void Session::listen() {
 void Session::wait() {
   for (listen(); pressed_.empty() && !saved_ && !keys_.closed(); listen()) {
     pollfd inputs[] = {{keys_.descriptor(), POLLIN, 0}, {files_.descriptor(), POLLIN, 0}};  // poll passes over -1
-    ::poll(inputs, 2, int(FileWatch::look_again.count()));
+    ::poll(inputs, 2, int(FileWatch::poll_interval.count()));
   }
 }
 

@@ -1,4 +1,4 @@
-// What came back from a step program for one case, before anyone has an opinion about it.
+// A step program's answer to one case, before it is judged.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,17 @@
 
 namespace atelier::judge {
 
-/// Exactly one of `pixels` and `values` is there when the program answered; `ended` says why it did not.
+/// If `ended` is `normally`, exactly one of `pixels` and `values` is set. Otherwise `ended` says why there is no
+/// answer.
 struct Answer {
   enum class Ended { normally, missing, crashed, timeout, build_failed };
   Ended ended = Ended::missing;
   std::optional<Image> pixels;
   std::optional<std::vector<Numbers>> values;
-  Counts counts;       ///< of a picture that was to be counted: what drawing it has cost
-  std::string error;   ///< one sentence: what the program or the reader of its files objected to; untrusted text
-  std::string output;  ///< what the program printed around this case, bounded; untrusted text
-  double seconds = 0;  ///< wall clock of this case, for information only
+  Counts counts;       ///< the cost of drawing the picture, if it was requested
+  std::string error;   ///< one sentence from the program or from reading its files; untrusted text
+  std::string output;  ///< what the program printed during this case, limited in size; untrusted text
+  double seconds = 0;  ///< wall-clock time of this case, for information only
 };
 
 }  // namespace atelier::judge

@@ -16,7 +16,7 @@ namespace {
 
 using strict_json::Json;
 
-/// Those that need nothing but a picture and its truth.
+/// The metrics that need only a picture and its truth.
 constexpr std::array metrics{ErrorMetric::rmse,     ErrorMetric::flip,    ErrorMetric::misclassified,
                              ErrorMetric::distance, ErrorMetric::degrees, ErrorMetric::wrong};
 
@@ -29,10 +29,10 @@ ErrorMetric metric_named(const Json& value, const std::string& where) {
 
 Counts read_limits(const Json& object, const std::string& where) {
   if (!object.is_object() || object.empty())
-    strict_json::refuse(object, where, "an object with the most of at least one count: {\"vertices\": 400}");
+    strict_json::refuse(object, where, "an object with a limit for at least one count: {\"vertices\": 400}");
   Counts limits;
   for (const auto& [name, most] : object.items())
-    limits[name] = strict_json::whole(most, where + ": " + name, 1, std::numeric_limits<int>::max());
+    limits[name] = strict_json::integer(most, where + ": " + name, 1, std::numeric_limits<int>::max());
   return limits;
 }
 
@@ -42,13 +42,13 @@ std::string error_words(ErrorMetric metric, double error) {
     case ErrorMetric::flip:
       return fmt::format("The mean FLIP error is {:.3g}", error);
     case ErrorMetric::misclassified:
-      return fmt::format("The share of wrong pixels is {:.3g}", error);
+      return fmt::format("The fraction of wrong pixels is {:.3g}", error);
     case ErrorMetric::distance:
       return fmt::format("The distance from the truth is {:.3g} m", error);
     case ErrorMetric::degrees:
       return fmt::format("The angle to the truth is {:.3g} degrees", error);
     case ErrorMetric::wrong:
-      return fmt::format("The share of pixels that are lit for dark, or dark for lit, is {:.3g}", error);
+      return fmt::format("The fraction of pixels that are wrongly lit or wrongly dark is {:.3g}", error);
     default:
       return fmt::format("The root mean square error is {:.3g}", error);
   }
@@ -61,7 +61,7 @@ Choice read_choice(const Json& object, const std::string& where) {
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(object, name, where); };
   Choice choice;
   choice.settings = strict_json::names(member("settings"), where + ": settings", "._");
-  if (choice.settings.empty()) throw Error(where + ": settings: there must be something to choose");
+  if (choice.settings.empty()) throw Error(where + ": settings: there must be at least one setting to choose");
   choice.at_most = read_limits(member("at_most"), where + ": at_most");
   choice.metric = metric_named(member("error"), where + ": error");
   choice.full = strict_json::number(member("full"), where + ": full", 1e-12, 1e12);
@@ -76,14 +76,14 @@ ChoiceMeasurement measure_choice(const Image& picture, const Image& truth, Encod
   ChoiceMeasurement measured;
   for (const auto& [name, most] : choice.at_most) {
     const auto count = counts.find(name);
-    if (count == counts.end()) throw Error(fmt::format("at_most: {} is nothing that the program counts", name));
-    const double spent = double(count->second) / double(most);
-    if (!measured.dearest.empty() && spent <= measured.spent) continue;
-    measured.dearest = name;
-    measured.spent = spent;
+    if (count == counts.end()) throw Error(fmt::format("at_most: the program does not count {}", name));
+    const double budget_use = double(count->second) / double(most);
+    if (!measured.critical_count.empty() && budget_use <= measured.budget_use) continue;
+    measured.critical_count = name;
+    measured.budget_use = budget_use;
   }
   measured.error = error_of(picture, truth, choice.metric, encoding);
-  if (measured.spent > 1) return measured;
+  if (measured.budget_use > 1) return measured;
   measured.credit = measured.error <= choice.full
                         ? 1
                         : std::max(0.0, std::log(choice.none / measured.error) / std::log(choice.none / choice.full));
@@ -91,7 +91,7 @@ ChoiceMeasurement measure_choice(const Image& picture, const Image& truth, Encod
 }
 
 double margin(const ChoiceMeasurement& measured, const Choice& choice) {
-  return std::max(measured.error / choice.full, measured.spent);
+  return std::max(measured.error / choice.full, measured.budget_use);
 }
 
 std::string describe_choice(const ChoiceMeasurement& measured, const Counts& counts, const Choice& choice) {
@@ -99,7 +99,7 @@ std::string describe_choice(const ChoiceMeasurement& measured, const Counts& cou
                                  error_words(choice.metric, measured.error), choice.full, choice.none);
   for (const auto& [name, most] : choice.at_most) {
     const std::int64_t count = counts.at(name);
-    text += count > most ? fmt::format(" {}: {}, where at most {} are allowed, and so there are no points.", name,
+    text += count > most ? fmt::format(" {}: {}, but at most {} are allowed, so there are no points.", name,
                                        grouped(count), grouped(most))
                          : fmt::format(" {}: {} of at most {}.", name, grouped(count), grouped(most));
   }

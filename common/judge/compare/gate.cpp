@@ -20,8 +20,8 @@ GateFailure non_finite_failure(const NonFinite& found) {
       fmt::format("{} {} NaN or infinity, {} {}.", grouped((long long)found.count),
                   found.count == 1 ? "pixel is" : "pixels are",
                   found.count <= found.first.size() ? "at" : "the first ones at", positions),
-      "Look for a division by zero, the square root or the power of a negative number, and normalize(0): each makes a "
-      "value that is not a number, and it spreads through all that is computed from it.",
+      "Look for a division by zero, the square root or a power of a negative number, and normalize(0). Each gives NaN "
+      "or infinity, and so does everything computed from it.",
       double(found.count)};
 }
 
@@ -31,22 +31,21 @@ GateFailure single_colour_failure(const Image& yours, const JudgedCase& c) {
   const std::string what = data
                                ? fmt::format("the same everywhere: ({:.4g}, {:.4g}, {:.4g})", first.r, first.g, first.b)
                                : colour_name(first) + " all over";
-  return {
-      GateFailure::Kind::single_colour, fmt::format("The picture is {}.", what),
-      "Nothing of the scene can be seen. Is it drawn at all: vertices on the screen, winding, depth test, matrices? "
-      "Then: does the shader write what it computes?"};
+  return {GateFailure::Kind::single_colour, fmt::format("The picture is {}.", what),
+          "No part of the scene is visible. Is it drawn at all? Check matrices, winding and depth test, and whether "
+          "vertices are on the screen. Then: does the shader write what it computes?"};
 }
 
 }  // namespace
 
-std::optional<GateFailure> stopped_at_gate(const Image& yours, const std::vector<Image>& references,
-                                           const JudgedCase& c) {
+std::optional<GateFailure> find_gate_failure(const Image& yours, const std::vector<Image>& references,
+                                             const JudgedCase& c) {
   const Image& reference = references.front();
   if (!yours.same_size(reference))
     return GateFailure{GateFailure::Kind::size,
-                       fmt::format("The picture is {}x{} pixels, and the case asks for {}x{}.", yours.width(),
+                       fmt::format("The picture is {}x{} pixels; the case requires {}x{}.", yours.width(),
                                    yours.height(), reference.width(), reference.height()),
-                       "Draw at the size that is asked for."};
+                       "Draw at the required size."};
   if (const NonFinite found = find_non_finite(yours); found.count > 0) return non_finite_failure(found);
   const bool reference_varies =
       std::none_of(references.begin(), references.end(), [](const Image& image) { return is_single_colour(image); });
@@ -54,7 +53,7 @@ std::optional<GateFailure> stopped_at_gate(const Image& yours, const std::vector
   return std::nullopt;
 }
 
-Image with_non_finite_marked(Image picture) {
+Image mark_non_finite(Image picture) {
   for (Rgba& p : picture.pixels())
     if (!std::isfinite(p.r) || !std::isfinite(p.g) || !std::isfinite(p.b) || !std::isfinite(p.a)) p = {1, 0, 1, 1};
   return picture;

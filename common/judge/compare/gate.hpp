@@ -1,4 +1,4 @@
-// Gate 0: pictures that need no comparison. Whatever stops here scores nothing, and says why.
+// The gate: checks before any comparison. A picture that fails one of them gets no points and a reason.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,17 @@ namespace atelier::judge {
 struct GateFailure {
   enum class Kind { size, non_finite, single_colour };
   Kind kind = Kind::size;
-  std::string sentence;  ///< what was seen
+  std::string sentence;  ///< what is wrong
   std::string hint;      ///< what to try next
   double count = 0;      ///< of pixels that are not finite
 };
 
-/// Stops a picture of another size than the reference's; with a NaN or an infinity anywhere (the first ten positions
-/// are named); or of a single colour where no reference is. Nothing where the picture can be compared.
-std::optional<GateFailure> stopped_at_gate(const Image& yours, const std::vector<Image>& references,
-                                           const JudgedCase& c);
+/// The first check that a picture fails: a size other than the reference's; a NaN or an infinity (names the first ten
+/// positions); a single colour although no reference is. Nothing if the picture can be compared.
+std::optional<GateFailure> find_gate_failure(const Image& yours, const std::vector<Image>& references,
+                                             const JudgedCase& c);
 
-/// The picture with magenta in the place of what is not finite, for people to look at.
-Image with_non_finite_marked(Image picture);
+/// The picture with magenta instead of values that are not finite, for reports.
+Image mark_non_finite(Image picture);
 
 }  // namespace atelier::judge

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_file = 16 << 20;  // bytes of a case file
 constexpr double max_points = 1000;
 
-/// One case object with the place that its error sentences start with.
+/// One case object, and the location that its error messages begin with.
 struct Reader {
   const Json& object;
   std::string where;
@@ -54,7 +54,7 @@ Unit unit_named(const std::string& name) {
   return name == "degrees" ? Unit::degrees : Unit::number;
 }
 
-/// The largest difference that two pixels can have in a unit.
+/// The largest possible difference of two pixels in a unit.
 double largest_difference(Unit unit) {
   if (unit == Unit::degrees) return 180;
   return unit == Unit::number ? std::numeric_limits<float>::max() : 255;
@@ -65,16 +65,17 @@ void read_about(const Reader& r, JudgedCase& c) {
   c.asked = strict_json::text(r.require("asked"), r.at("asked"));
   c.points = strict_json::number(r.require("points"), r.at("points"), 0, max_points);
   c.tier = r.one_of("tier", "core", {"core", "further", "challenge"});
-  if (const Json* student = r.find("student")) c.student = strict_json::flag(*student, r.at("student"));
-  if (const Json* hidden = r.find("hidden")) c.hidden = strict_json::flag(*hidden, r.at("hidden"));
+  if (const Json* student = r.find("student")) c.student = strict_json::boolean(*student, r.at("student"));
+  if (const Json* hidden = r.find("hidden")) c.hidden = strict_json::boolean(*hidden, r.at("hidden"));
   c.rejects = r.names("rejects", "-");
   c.functions = r.names("functions", "_");
   c.needs = r.names("needs", "_-");
   if (c.points > 0 && !c.needs.empty()) {
-    r.refuse("a case that needs an optional ability must have 0 points, or the maximum would differ between machines");
+    r.refuse(
+        "a case that needs an optional driver feature must have 0 points, so that all machines have the same maximum");
   }
   if (c.points > 0 && c.rejects.empty())
-    r.refuse("a case with points must name in 'rejects' a mistake that it catches");
+    r.refuse("a case with points must name a mistake that it catches in 'rejects'");
   if (c.points > 0 || r.find("hint")) c.hint = strict_json::text(r.require("hint"), r.at("hint"));
 }
 
@@ -99,7 +100,7 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
   const bool coloured = c.unit == Unit::colour || c.unit == Unit::encoded;
   if (c.profile == Profile::exact) {
     for (const char* member : {"delta", "budget"}) {
-      if (r.find(member)) r.refuse(fmt::format("profile 'exact' allows no difference, and so no '{}'", member));
+      if (r.find(member)) r.refuse(fmt::format("profile 'exact' allows no difference, so it takes no '{}'", member));
     }
     c.delta = 0, c.budget = 0;
   } else {
@@ -108,11 +109,11 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
     c.delta = r.number("delta", defaults.delta, 0, largest_difference(c.unit));
     if (c.delta == 0) r.refuse("delta: 0 is not allowed; it takes a number above 0, or profile 'exact'");
     if (const Json* budget = r.find("budget")) {
-      c.budget = strict_json::whole(*budget, r.at("budget"), 0, c.ask.size.x * c.ask.size.y);
+      c.budget = strict_json::integer(*budget, r.at("budget"), 0, c.ask.size.x * c.ask.size.y);
     }
     const bool usual = coloured && c.delta == defaults.delta && c.budget == defaults.budget;
     if (!usual && !r.find("reason")) {
-      r.refuse(fmt::format("'reason' is missing: delta {} and budget {} are not the default and need one", c.delta,
+      r.refuse(fmt::format("'reason' is missing: delta {} and budget {} are not the defaults and need one", c.delta,
                            c.budget));
     }
   }
@@ -123,11 +124,11 @@ void read_picture(const Reader& r, const fs::path& folder, JudgedCase& c) {
   if (const Json* regions = r.find("regions")) c.regions = read_regions(*regions, r.at("regions"), c.ask.size);
   if (const Json* choice = r.find("choice")) {
     c.choice = read_choice(*choice, r.at("choice"));
-    if (!r.find("reason")) r.refuse("'reason' is missing: what a choice may cost and how far it may be off need one");
+    if (!r.find("reason")) r.refuse("'reason' is missing: the limits of a choice need one");
   }
   if (const Json* reason = r.find("reason")) c.reason = strict_json::text(*reason, r.at("reason"));
   if (const Json* exposure = r.find("exposure")) {
-    if (c.unit != Unit::colour) r.refuse("'exposure' belongs to unit 'colour' alone");
+    if (c.unit != Unit::colour) r.refuse("'exposure' is only allowed with unit 'colour'");
     c.exposure = strict_json::number(*exposure, r.at("exposure"), 1e-6, 1e6);
   }
   if (const Json* differs = r.find("truth_differs"))
@@ -143,7 +144,7 @@ Tolerance read_tolerance(const Reader& r) {
   Tolerance tolerance;
   tolerance.absolute = t.number("absolute", 0, 0, std::numeric_limits<double>::infinity());
   tolerance.relative = t.number("relative", 0, 0, 1);
-  if (const Json* ulp = t.find("ulp")) tolerance.ulp = strict_json::whole(*ulp, t.at("ulp"), 0, 1 << 20);
+  if (const Json* ulp = t.find("ulp")) tolerance.ulp = strict_json::integer(*ulp, t.at("ulp"), 0, 1 << 20);
   const bool equal = tolerance.absolute == 0 && tolerance.relative == 0 && tolerance.ulp == 0;
   if (!equal || t.find("reason")) tolerance.reason = strict_json::text(t.require("reason"), t.at("reason"));
   return tolerance;
@@ -164,7 +165,7 @@ void read_probe(const Reader& r, const fs::path& folder, JudgedCase& c) {
     c.expected.push_back(strict_json::numbers(list, fmt::format("{} {}", r.at("expected"), c.expected.size())));
   }
   if (c.expected.size() != c.ask.inputs.size()) {
-    r.refuse(fmt::format("{} lists in 'expected' for {} inputs", c.expected.size(), c.ask.inputs.size()));
+    r.refuse(fmt::format("'expected' has {} lists for {} inputs", c.expected.size(), c.ask.inputs.size()));
   }
 }
 
@@ -196,7 +197,7 @@ CaseFile read_case_file(const fs::path& path) {
   const Json document = strict_json::parse(read_file(path, max_file), where);
   CaseFile file{.path = path};
   const std::vector<Json> objects = case_objects(document, where);
-  strict_json::required(document, "schema", where);  // its value was checked with the objects
+  strict_json::required(document, "schema", where);  // case_objects has checked its value
   file.step = read_step(strict_json::required(document, "step", where), where + ": step");
   file.title = strict_json::text(strict_json::required(document, "title", where), where + ": title", 120);
   std::set<std::string> names;

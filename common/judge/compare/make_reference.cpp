@@ -22,14 +22,14 @@ namespace atelier::judge {
 namespace {
 
 [[noreturn]] void refuse(const JudgedCase& c, const std::string& why) {
-  throw Error(fmt::format("case '{}': no reference can be made: {}", c.ask.name, why));
+  throw Error(fmt::format("case '{}': cannot make a reference: {}", c.ask.name, why));
 }
 
-// --- The solution's own answer ---
+// --- The solution's answer ---
 
-/// Refuses grey between two 8-bit levels: half a level up or down is a matter of the processor there.
+/// Refuses a value halfway between two 8-bit levels, where rounding depends on the processor.
 void refuse_ties(const JudgedCase& c, const Image& picture) {
-  constexpr double near = 0.02;  // of a level; arithmetic differs by about 1e-4 of one, so this leaves much room
+  constexpr double near = 0.02;  // of a level; arithmetic differs by only about 1e-4 of a level
   JudgedCase unrounded = c;
   unrounded.profile = Profile::strict;
   const Image encoded = compared_form(picture, unrounded);
@@ -39,14 +39,14 @@ void refuse_ties(const JudgedCase& c, const Image& picture) {
         const double level = 255.0 * channel;
         if (std::abs(level - std::floor(level) - 0.5) >= near) continue;
         refuse(c, fmt::format(
-                      "pixel ({}, {}) has the value {:.3f}, on the border between two of 255 levels, which the exact "
-                      "profile cannot tell apart; change the case's inputs or its profile",
+                      "pixel ({}, {}) has the value {:.3f}, halfway between two of 255 levels, where rounding depends "
+                      "on the processor; change the case's inputs or its profile",
                       x, y, level));
       }
 }
 
 /// `who`: "the solution", or "the truth".
-void check_right(const JudgedCase& c, const Answer& solution, const std::string& who) {
+void check_correct(const JudgedCase& c, const Answer& solution, const std::string& who) {
   if (solution.ended != Answer::Ended::normally) refuse(c, who + " did not answer: " + solution.error);
   if (c.profile == Profile::values) {
     if (!solution.values) refuse(c, who + " returned no numbers");
@@ -55,14 +55,15 @@ void check_right(const JudgedCase& c, const Answer& solution, const std::string&
   if (!solution.pixels) refuse(c, who + " drew no picture");
   const Image& picture = *solution.pixels;
   if (picture.width() != c.ask.size.x || picture.height() != c.ask.size.y)
-    refuse(c, fmt::format("{}'s picture is {}x{} pixels, and the case asks for {}x{}", who, picture.width(),
+    refuse(c, fmt::format("{}'s picture is {}x{} pixels; the case requires {}x{}", who, picture.width(),
                           picture.height(), c.ask.size.x, c.ask.size.y));
-  if (const auto stopped = stopped_at_gate(picture, {picture}, c)) refuse(c, who + "'s picture: " + stopped->sentence);
-  if (is_single_colour(picture)) refuse(c, who + "'s picture is a single colour, which any empty picture could be");
+  if (const auto stopped = find_gate_failure(picture, {picture}, c))
+    refuse(c, who + "'s picture: " + stopped->sentence);
+  if (is_single_colour(picture)) refuse(c, who + "'s picture is a single colour, as an empty picture would be");
   if (c.profile == Profile::exact && is_colour(c.unit)) refuse_ties(c, picture);
 }
 
-/// Right answers of a probe: from the case file, and then the solution must agree, or the solution's.
+/// The expected numbers of a probe: those in the case file, with which the solution must agree, or the solution's.
 std::vector<Numbers> expected_values(const JudgedCase& c, const Answer& solution) {
   if (c.expected.empty()) {
     if (solution.values->size() != c.ask.inputs.size())
@@ -72,114 +73,114 @@ std::vector<Numbers> expected_values(const JudgedCase& c, const Answer& solution
   const ProbeMeasurement measured = measure_probe(*solution.values, c.expected, c);
   if (!measured.malformed.empty()) refuse(c, "the solution's " + measured.malformed);
   if (!measured.passed)
-    refuse(c, fmt::format("at input {} the solution answers {}, and the case file expects {}", measured.worst.input,
+    refuse(c, fmt::format("for input {} the solution returns {}; the case file expects {}", measured.worst.input,
                           measured.worst.yours, measured.worst.expected));
   return c.expected;
 }
 
-// --- Other answers against it ---
+// --- Other answers ---
 
-/// What others are compared with: the solution's picture as it is compared, or the probe's right numbers.
-struct Right {
+/// What other answers are compared with: a picture, raw and in compared form, or the expected numbers of a probe.
+struct CorrectAnswer {
   Image raw, picture;
   std::vector<Numbers> values;
 };
 
-bool comparable(const JudgedCase& c, const Answer& answer, const Right& right) {
+bool comparable(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
   if (answer.ended != Answer::Ended::normally) return false;
   if (c.profile == Profile::values) return answer.values.has_value();
-  return answer.pixels && !stopped_at_gate(*answer.pixels, {right.raw}, c);
+  return answer.pixels && !find_gate_failure(*answer.pixels, {correct.raw}, c);
 }
 
-ChoiceMeasurement choice_of(const JudgedCase& c, const Answer& answer, const Right& right) {
-  return measure_choice(*answer.pixels, right.raw, encoding_of(c.unit), answer.counts, *c.choice);
+ChoiceMeasurement choice_of(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
+  return measure_choice(*answer.pixels, correct.raw, encoding_of(c.unit), answer.counts, *c.choice);
 }
 
-/// How many tolerances away an answer lies; what cannot be compared fails in any case.
-double margin_of(const JudgedCase& c, const Answer& answer, const Right& right) {
-  if (!comparable(c, answer, right)) return largest_margin;
-  if (c.choice) return std::min(margin(choice_of(c, answer, right), *c.choice), largest_margin);
-  if (c.profile != Profile::values) return margin(compared_form(*answer.pixels, c), right.picture, c);
-  const ProbeMeasurement measured = measure_probe(*answer.values, right.values, c);
-  return measured.malformed.empty() ? std::min(measured.worst_times, largest_margin) : largest_margin;
+/// The distance of an answer in tolerances; max_margin if it cannot be compared, and so fails.
+double margin_of(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
+  if (!comparable(c, answer, correct)) return max_margin;
+  if (c.choice) return std::min(margin(choice_of(c, answer, correct), *c.choice), max_margin);
+  if (c.profile != Profile::values) return margin(compared_form(*answer.pixels, c), correct.picture, c);
+  const ProbeMeasurement measured = measure_probe(*answer.values, correct.values, c);
+  return measured.malformed.empty() ? std::min(measured.worst_times, max_margin) : max_margin;
 }
 
-double failing_share(const JudgedCase& c, const Answer& answer, const Right& right) {
-  if (c.choice) return 1;  // credit goes by the error alone
+double failing_fraction(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
+  if (c.choice) return 1;  // credit depends only on the error
   if (answer.ended != Answer::Ended::normally) return 1;
   if (c.profile == Profile::values) {
     if (!answer.values) return 1;
-    const ProbeMeasurement measured = measure_probe(*answer.values, right.values, c);
+    const ProbeMeasurement measured = measure_probe(*answer.values, correct.values, c);
     return measured.inputs > 0 ? double(measured.wrong) / measured.inputs : 1;
   }
-  // A single colour stops at the gate, but its share counts: a background that is right earns nothing.
-  if (!answer.pixels || !answer.pixels->same_size(right.picture)) return 1;
-  return measure(compared_form(*answer.pixels, c), right.picture, c).share;
+  // A picture of a single colour fails at the gate, but its fraction counts: a correct background must earn nothing.
+  if (!answer.pixels || !answer.pixels->same_size(correct.picture)) return 1;
+  return measure(compared_form(*answer.pixels, c), correct.picture, c).failing_fraction;
 }
 
-void check_skeleton(const JudgedCase& c, const ReferenceMaterial& material, const Right& right, MadeReference& made) {
+void check_skeleton(const JudgedCase& c, const ReferenceMaterial& material, const CorrectAnswer& correct,
+                    MadeReference& made) {
   if (!material.skeleton) return;
-  made.skeleton_share = failing_share(c, *material.skeleton, right);
-  if (c.choice && comparable(c, *material.skeleton, right) && choice_of(c, *material.skeleton, right).credit > 0)
-    refuse(c, "the untouched skeleton's choice earns points: let \"none\" be no more than its error");
-  if (c.student && c.points > 0 && margin_of(c, *material.skeleton, right) < 1)
-    refuse(c, "the untouched skeleton passes it; choose another picture, or say \"student\": false");
+  made.skeleton_fraction = failing_fraction(c, *material.skeleton, correct);
+  if (c.choice && comparable(c, *material.skeleton, correct) && choice_of(c, *material.skeleton, correct).credit > 0)
+    refuse(c, "the untouched skeleton's choice earns points: set \"none\" to at most its error");
+  if (c.student && c.points > 0 && margin_of(c, *material.skeleton, correct) < 1)
+    refuse(c, "the untouched skeleton passes it; choose another picture, or set \"student\": false");
 }
 
-void check_mistakes(const JudgedCase& c, const ReferenceMaterial& material, const Right& right, MadeReference& made) {
-  for (const auto& [mistake, answer] : material.mistakes) made.margins[mistake] = margin_of(c, answer, right);
+void check_mistakes(const JudgedCase& c, const ReferenceMaterial& material, const CorrectAnswer& correct,
+                    MadeReference& made) {
+  for (const auto& [mistake, answer] : material.mistakes) made.margins[mistake] = margin_of(c, answer, correct);
   for (const std::string& claimed : c.rejects) {
     const auto found = made.margins.find(claimed);
     if (found == made.margins.end()) refuse(c, fmt::format("it claims to reject '{}', which was not drawn", claimed));
-    // Where there is nothing to be compared nothing is proven, unless the mistake itself ended the program.
+    // Without an answer nothing is proven, unless the mistake itself ended the program.
     if (const Answer& answer = material.mistakes.at(claimed);
         answer.ended == Answer::Ended::missing || answer.ended == Answer::Ended::build_failed)
       refuse(c, fmt::format("it claims to reject '{}', which has no answer: {}", claimed, answer.error));
-    if (found->second < least_margin)
-      refuse(c, fmt::format(
-                    "it claims to reject '{}', which lies {:.2f} tolerances away where at least {:.2g} are needed; "
-                    "choose another camera, scene or setting, tighten the tolerance, or drop the claim",
-                    claimed, found->second, least_margin));
+    if (found->second < min_margin)
+      refuse(c, fmt::format("it claims to reject '{}', which is {:.2f} tolerances away; at least {:.2g} are required; "
+                            "choose another camera, scene or setting, tighten the tolerance, or remove the claim",
+                            claimed, found->second, min_margin));
     if (made.nearest && made.margin <= found->second) continue;
     made.nearest = claimed;
     made.margin = found->second;
   }
 }
 
-Right right_answer(const JudgedCase& c, const ReferenceMaterial& material) {
+CorrectAnswer correct_answer(const JudgedCase& c, const ReferenceMaterial& material) {
   const Answer& solution = material.solution;
-  check_right(c, solution, "the solution");
-  Right right;
+  check_correct(c, solution, "the solution");
+  CorrectAnswer correct;
   if (c.choice) {
     if (!material.truth) refuse(c, "there is no truth to compare a choice with");
-    check_right(c, *material.truth, "the truth");
-    right.raw = *material.truth->pixels;
-    right.picture = compared_form(right.raw, c);
-    const ChoiceMeasurement own = choice_of(c, solution, right);
+    check_correct(c, *material.truth, "the truth");
+    correct.raw = *material.truth->pixels;
+    correct.picture = compared_form(correct.raw, c);
+    const ChoiceMeasurement own = choice_of(c, solution, correct);
     if (!own.passed())
-      refuse(c,
-             "the solution's own choice does not earn all points: " + describe_choice(own, solution.counts, *c.choice));
-    return right;
+      refuse(c, "the solution's choice does not earn all points: " + describe_choice(own, solution.counts, *c.choice));
+    return correct;
   }
   if (c.profile == Profile::values) {
-    right.values = expected_values(c, solution);
+    correct.values = expected_values(c, solution);
   } else {
-    right.raw = *solution.pixels;
-    right.picture = compared_form(right.raw, c);
+    correct.raw = *solution.pixels;
+    correct.picture = compared_form(correct.raw, c);
   }
-  return right;
+  return correct;
 }
 
-MadeReference check_against(const JudgedCase& c, const ReferenceMaterial& material, const Right& right) {
+MadeReference check_against(const JudgedCase& c, const ReferenceMaterial& material, const CorrectAnswer& correct) {
   MadeReference made;
-  check_skeleton(c, material, right, made);
-  check_mistakes(c, material, right, made);
+  check_skeleton(c, material, correct, made);
+  check_mistakes(c, material, correct, made);
   return made;
 }
 
 // --- Writing ---
 
-/// Half floats hold colours eight times finer than 8-bit sRGB; data, exact colours and very bright ones keep all bits.
+/// Half floats store colours eight times finer than 8-bit sRGB. Data, exact colours and very bright ones need 32 bits.
 Depth depth_for(const JudgedCase& c, const Image& picture) {
   constexpr float largest_half = 65504;
   if (!is_colour(c.unit) || c.profile == Profile::exact || c.choice) return Depth::single;
@@ -188,19 +189,20 @@ Depth depth_for(const JudgedCase& c, const Image& picture) {
   return Depth::half;
 }
 
-/// Writes the pictures of the mistakes that this case sees, one below the other; returns their names in this order.
+/// Writes the pictures of the mistakes that this case detects, one below the other; returns their names in this order.
 std::vector<std::string> write_atlas(const std::filesystem::path& folder, const JudgedCase& c,
-                                     const ReferenceMaterial& material, const Right& right, MadeReference& made) {
+                                     const ReferenceMaterial& material, const CorrectAnswer& correct,
+                                     MadeReference& made) {
   std::vector<std::string> names;
   std::vector<Rgba> pixels;
   Image picture;
-  if (!c.choice)  // what is too dear looks like the truth: a choice is no picture to be recognised by
+  if (!c.choice)  // a budget case has none: a picture that is too expensive looks like the truth
     for (const auto& [mistake, answer] : material.mistakes) {
-      // A mistake that this case does not see has nothing to be recognised by.
+      // Leave out mistakes that this case does not detect.
       const bool drawn = answer.ended == Answer::Ended::normally && answer.pixels &&
-                         answer.pixels->same_size(right.raw) && find_non_finite(*answer.pixels).count == 0;
+                         answer.pixels->same_size(correct.raw) && find_non_finite(*answer.pixels).count == 0;
       if (!drawn || made.margins.at(mistake) < 1) continue;
-      picture = make_atlas_picture(compared_form(*answer.pixels, c), right.picture, c.unit);
+      picture = make_atlas_picture(compared_form(*answer.pixels, c), correct.picture, c.unit);
       pixels.insert(pixels.end(), picture.pixels().begin(), picture.pixels().end());
       names.push_back(mistake);
     }
@@ -218,21 +220,21 @@ std::vector<std::string> write_atlas(const std::filesystem::path& folder, const 
 }
 
 void write_picture(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
-                   const Right& right, Sidecar& sidecar, MadeReference& made) {
+                   const CorrectAnswer& correct, Sidecar& sidecar, MadeReference& made) {
   if (c.references.empty()) refuse(c, "it names no reference file");
   const std::filesystem::path file = folder / c.references.front().filename();
   const Encoding encoding = c.unit == Unit::colour ? Encoding::linear : Encoding::data;
-  const Depth depth = file.extension() == ".exr" ? depth_for(c, right.raw) : Depth::automatic;
-  write_image(file, right.raw, {encoding, depth});
+  const Depth depth = file.extension() == ".exr" ? depth_for(c, correct.raw) : Depth::automatic;
+  write_image(file, correct.raw, {encoding, depth});
   made.written = {file, sidecar_path(file)};
   sidecar.sha256 = sha256(read_file(file));
-  sidecar.atlas = write_atlas(folder, c, material, right, made);
+  sidecar.atlas = write_atlas(folder, c, material, correct, made);
   write_sidecar(sidecar_path(file), sidecar);
 }
 
 void write_values(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
-                  const Right& right, Sidecar& sidecar, MadeReference& made) {
-  if (c.expected.empty()) sidecar.values = right.values;
+                  const CorrectAnswer& correct, Sidecar& sidecar, MadeReference& made) {
+  if (c.expected.empty()) sidecar.values = correct.values;
   const std::filesystem::path file = values_path(folder, c.ask.name);
   write_sidecar(file, sidecar);
   made.written = {file};
@@ -254,13 +256,13 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
 }  // namespace
 
 MadeReference check_reference(const JudgedCase& c, const ReferenceMaterial& material) {
-  return check_against(c, material, right_answer(c, material));
+  return check_against(c, material, correct_answer(c, material));
 }
 
 MadeReference make_reference(const std::filesystem::path& folder, const JudgedCase& c,
                              const ReferenceMaterial& material) {
-  const Right right = right_answer(c, material);
-  MadeReference made = check_against(c, material, right);
+  const CorrectAnswer correct = correct_answer(c, material);
+  MadeReference made = check_against(c, material, correct);
 
   Sidecar sidecar;
   sidecar.case_name = c.ask.name;
@@ -273,11 +275,11 @@ MadeReference make_reference(const std::filesystem::path& folder, const JudgedCa
   sidecar.regions = c.regions;
   sidecar.reason = c.reason;
   sidecar.environment = material.environment;
-  sidecar.skeleton_share = made.skeleton_share;
+  sidecar.skeleton_fraction = made.skeleton_fraction;
   sidecar.nearest = made.nearest;
   sidecar.margin = made.margin;
   const auto write = c.profile == Profile::values ? write_values : write_picture;
-  write(folder, c, material, right, sidecar, made);
+  write(folder, c, material, correct, sidecar, made);
   return made;
 }
 

@@ -12,7 +12,7 @@ Image per_channel(Image image, Channel channel) {
   return image;
 }
 
-/// What is masked is right: the reference's own pixels stand there.
+/// Replaces masked pixels by the reference's, so that they do not differ.
 Image with_mask(Image yours, const Image& reference, const std::vector<Rectangle>& mask) {
   const Mask masked = mask_of(mask, {reference.width(), reference.height()});
   for (int y = 0; y < reference.height(); ++y)
@@ -29,14 +29,14 @@ Measurement measure_all(const Image& yours, const Image& reference, const Judged
                                                      : compare_strict(yours, reference, measure_of(c.unit), delta);
   const Difference& found = measured.difference;
   const bool plain = c.mask.empty() && c.regions.empty();
-  measured.share = plain ? found.share : weighted_share(found.mask, c.mask, c.regions);
+  measured.failing_fraction = plain ? found.share : weighted_fraction(found.mask, c.mask, c.regions);
   if (c.profile == Profile::exact) {
     measured.passed = found.over == 0;
     return measured;
   }
   measured.shift = fit_shift(yours, reference);
   const bool robust = c.profile == Profile::robust;
-  measured.shifted = measured.shift.length() >= slack * (robust ? robust_shift_limit : strict_shift_limit);
+  measured.shifted = measured.shift.length() >= slack * (robust ? max_shift_robust : max_shift_strict);
   const bool few = robust || found.over <= slack * effective_budget(c, measured.pixels);
   measured.passed = few && found.blob == 0 && !measured.shifted;
   return measured;
@@ -91,14 +91,14 @@ Worst worst_pixel(const Measurement& measured, const Image& yours, const Image& 
 
 double margin(const Image& yours, const Image& reference, const JudgedCase& c) {
   const auto fails = [&](double slack) { return !measure(yours, reference, c, slack).passed; };
-  // Whatever fails at a slack fails at every smaller one, so doubling brackets the border and bisection finds it.
+  // FailingPicture at some slack implies failing at every smaller one: bracket the limit by doubling, then bisect.
   double low = 0.01;
   if (!fails(low)) return 0;
   double high = 2 * low;
   while (fails(high)) {
     low = high;
     high *= 2;
-    if (low >= largest_margin) return largest_margin;
+    if (low >= max_margin) return max_margin;
   }
   while (high > 1.01 * low) {
     const double middle = std::sqrt(low * high);

@@ -1,4 +1,4 @@
-// The figures of one picture against one reference, in the unit and by the profile of the case.
+// Compares one picture with one reference, in the unit and by the profile of the case.
 #pragma once
 
 #include "image/colour.hpp"
@@ -9,46 +9,46 @@
 
 namespace atelier::judge {
 
-inline constexpr double strict_shift_limit = 0.05;  ///< pixels that a whole picture may lie beside its reference
-inline constexpr double robust_shift_limit = 0.5;
+inline constexpr double max_shift_strict = 0.05;  ///< pixels by which a whole picture may be shifted
+inline constexpr double max_shift_robust = 0.5;
 
-/// How a picture of this case is compared: colours clamped and sRGB-encoded after the exposure, encoded colours
-/// clamped, both 0..1 and, for the exact profile, rounded to 8 bits; directions and data as they are.
+/// The form in which pictures are compared: linear colours after exposure, clamping and sRGB encoding; encoded colours
+/// after clamping; both in 0..1 and, for the exact profile, rounded to 8 bits. Directions and data are unchanged.
 Image compared_form(const Image& raw, const JudgedCase& c);
 
 bool is_colour(Unit unit);  ///< colours, linear or encoded, as opposed to directions and data
 
-/// How the numbers of a case's pictures stand for light, as a program writes them.
+/// The encoding of the pictures that a program writes for this unit.
 Encoding encoding_of(Unit unit);
 
-/// What image/compare.hpp calls the unit of a case.
+/// The measure of image/compare.hpp for this unit.
 Measure measure_of(Unit unit);
 
-/// Pixels that may be over delta: the case's budget; in pictures below 32x32 at most one of 256, since what is stray in
-/// a large picture is a part of a small one.
+/// The number of pixels that may exceed delta: the case's budget, but in pictures below 32x32 at most 1 in 256, since a
+/// few pixels are a large part of a small picture.
 int effective_budget(const JudgedCase& c, int pixels);
 
 struct Measurement {
   bool passed = false;
-  int pixels = 0;         ///< of the picture
-  Difference difference;  ///< by the profile; nothing is over where the case has a mask
-  double share = 0;       ///< of the picture that fails, 0..1: without what is masked, and regions by their weights
-  Shift shift;            ///< of the whole picture; 0 for the exact profile, which does not ask
-  bool shifted = false;   ///< farther than the profile's limit
+  int pixels = 0;               ///< of the picture
+  Difference difference;        ///< by the profile; masked pixels never fail
+  double failing_fraction = 0;  ///< the failing fraction of the unmasked picture, weighted by regions, 0..1
+  Shift shift;                  ///< of the whole picture; 0 for the exact profile, which does not compute it
+  bool shifted = false;         ///< by more than the profile's limit
 };
 
-/// Compares two pictures of the size that the case asks for, finite, in compared form. `slack` multiplies what the case
-/// tolerates (delta, budget, limit of the shift): 1 judges, 2 asks whether a mistake keeps twice the distance that it
-/// must. The exact profile tolerates nothing, and twice nothing.
+/// Compares two finite pictures of the case's size in compared form. `slack` multiplies the case's tolerances (delta,
+/// budget, limit of the shift): 1 for judging, 2 to check that a mistake is at least twice the tolerance away. The
+/// exact profile has no tolerance, so `slack` has no effect on it.
 Measurement measure(const Image& yours, const Image& reference, const JudgedCase& c, double slack = 1);
 
 /// The worst pixel of a measurement, both values in the unit that was compared (0..255 for colours).
 Worst worst_pixel(const Measurement& measured, const Image& yours, const Image& reference, Unit unit);
 
-inline constexpr double largest_margin = 1024;
+inline constexpr double max_margin = 1024;
 
-/// How many tolerances away `yours` lies: the largest slack at which it still fails, to 1 %, at most `largest_margin`;
-/// below 1 for a picture that passes, 0 where it would pass with a hundredth of the tolerance.
+/// The distance of `yours` in tolerances: the largest slack at which it still fails, to 1 %, at most `max_margin`;
+/// below 1 for a picture that passes, 0 if it would pass with a hundredth of the tolerance.
 double margin(const Image& yours, const Image& reference, const JudgedCase& c);
 
 }  // namespace atelier::judge

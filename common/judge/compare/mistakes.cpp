@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using strict_json::Json;
 
-/// The patch that a member names: a .patch file in the list's own folder.
+/// The patch that a member names: a .patch file in the list's folder.
 fs::path patch_beside(const fs::path& list, const Json& value, const std::string& where) {
   const fs::path name = strict_json::text(value, where, 200);
   if (name.filename() != name || name.extension() != ".patch")
@@ -27,8 +27,8 @@ fs::path patch_beside(const fs::path& list, const Json& value, const std::string
   return path;
 }
 
-/// Makes an `Item` of every object in the list by `read(item, object, where)`, after what all items share: known
-/// members only, a name that no other has, a title and, unless it is optional, a patch.
+/// Reads every object of the list into an `Item`: checks its members, reads its unique name, its title and its patch,
+/// then calls `read(item, object, where)` for the rest.
 template <class Item, class Read>
 std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>& members, Patches patches, Read read) {
   const Json list = strict_json::parse(read_file(file, 1 << 20), file.string());
@@ -42,7 +42,7 @@ std::vector<Item> read_list(const fs::path& file, const std::vector<std::string>
     Item item;
     item.name = strict_json::name(strict_json::required(list[i], "name", entry), entry + ": name");
     if (!names.insert(item.name).second)
-      throw Error(fmt::format("{}: name: '{}' stands twice in the list; each name must be its own", entry, item.name));
+      throw Error(fmt::format("{}: name: '{}' appears twice in the list; names must be unique", entry, item.name));
     const std::string where = fmt::format("{}: '{}'", file.string(), item.name);
     item.title = strict_json::text(strict_json::required(list[i], "title", where), where + ": title");
     if (patches == Patches::needed || list[i].contains("patch"))
@@ -69,7 +69,7 @@ std::string run_patch(const fs::path& patch, const fs::path& folder) {
       .time_limit = std::chrono::seconds(10),
   });
   if (!finished.ok())
-    throw Error(fmt::format("{}: does not apply to the solution: {}", patch.string(), finished.output));
+    throw Error(fmt::format("{}: cannot be applied to the solution: {}", patch.string(), finished.output));
   return finished.output;
 }
 
@@ -93,7 +93,7 @@ std::vector<Variant> read_variants(const fs::path& file) {
 
 void make_patched(const fs::path& solution, const fs::path& patch, const fs::path& folder) {
   if (!fs::is_directory(solution))
-    throw Error(fmt::format("{}: there is no such folder, so {} has nothing to change", solution.string(),
+    throw Error(fmt::format("{}: there is no such folder, so {} cannot be applied", solution.string(),
                             patch.filename().string()));
   const auto before = contents(solution);
   for (const auto& [name, bytes] : before) write_file(folder / name, bytes);

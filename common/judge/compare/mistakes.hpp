@@ -1,4 +1,4 @@
-// The known wrong solutions of a step, and the different but right ones: small patches on the solution.
+// The known mistakes of a step, and its variants (other correct solutions): small patches on the solution.
 //
 //   tests/mistakes/NN-name/mistakes.json    [{"name": "rv-for-nh",
 //                                             "title": "R.V in place of N.H",
@@ -8,10 +8,10 @@
 //                                             "spelling": "rv-for-nh.other.patch"}, ...]   ("spelling" may be absent)
 //   tests/variants/NN-name/variants.json    [{"name": "...", "title": "...", "patch": "....patch"}, ...]
 //
-// What students get (cli/grader/release.cpp) has the names and sentences of the mistakes alone: no patches.
+// Releases for students (cli/grader/release.cpp) have no patches.
 //
-// A mistake proves that a case can fail, and gives a verdict a name to say. A variant proves that a case does not
-// refuse what is right.
+// A mistake proves that a case can fail, and lets a verdict name what is wrong. A variant proves that a case accepts
+// other correct solutions.
 #pragma once
 
 #include <filesystem>
@@ -24,30 +24,30 @@ namespace atelier::judge {
 struct Mistake {
   std::string name;                               ///< [a-z0-9-]+, at most 64
   std::string title;                              ///< for tables
-  std::string sentence;                           ///< what a student reads when an answer looks like this mistake
+  std::string sentence;                           ///< what a student reads if an answer looks like this mistake
   std::string hint;                               ///< what to try next
-  std::filesystem::path patch;                    ///< makes the mistake out of the solution; empty where not needed
-  std::optional<std::filesystem::path> spelling;  ///< the same mistake written in another way: proves the naming
+  std::filesystem::path patch;                    ///< turns the solution into the mistake; empty if optional and absent
+  std::optional<std::filesystem::path> spelling;  ///< the same mistake written differently, to test recognition
 };
 
 struct Variant {
   std::string name;
-  std::string title;  ///< what is done in another way
+  std::string title;  ///< what it does differently
   std::filesystem::path patch;
 };
 
-/// Who gives a mistake its name in a verdict needs no patch; who makes the mistake does.
+/// Whether patches must exist: judging only names mistakes and needs none.
 enum class Patches { needed, optional };
 
-/// Each reads its whole file, at least one entry; patch paths come back joined to the file's folder, and exist. Throws
-/// Error naming the file, the entry and the member: unknown or missing members, empty texts, bad or repeated names,
-/// patches that are not plain NAME.patch files beside it.
+/// Each reads its whole file, which must have at least one entry; returned patch paths include the folder and exist.
+/// Throws Error naming the file, the entry and the member for unknown or missing members, empty texts, invalid or
+/// repeated names, and patches that are not NAME.patch files in the same folder.
 std::vector<Mistake> read_mistakes(const std::filesystem::path& file, Patches patches = Patches::needed);
 std::vector<Variant> read_variants(const std::filesystem::path& file);
 
-/// Copies the files of `solution` (the regular files of one step's folder, not what is below it) to `folder`, which is
-/// made, and applies `patch` there with `patch -p1`. Throws Error with the words of patch where it does not apply, and
-/// where it changes nothing or leaves other files than the solution has: such a patch would test nothing.
+/// Copies the regular files of the folder `solution`, without subfolders, to `folder`, which is created, and applies
+/// `patch` there with `patch -p1`. Throws Error with patch's output if it cannot be applied, changes nothing, or adds
+/// or removes files.
 void make_patched(const std::filesystem::path& solution, const std::filesystem::path& patch,
                   const std::filesystem::path& folder);
 

@@ -17,16 +17,17 @@
 namespace atelier::judge {
 namespace {
 
-/// What stands before the pixels of an entry, in the machine's own byte order: a cache is not carried between machines.
+/// The header of an entry, in the machine's byte order, since a cache is not shared between machines.
 struct Header {
   std::array<char, 8> magic{'A', 'T', 'L', 'C', 'A', 'C', 'H', '1'};
   std::uint32_t width = 0, height = 0;
   std::uint64_t checksum = 0;
-  std::array<char, 64> key{};  ///< which state of which picture this was
+  std::array<char, 64> key{};  ///< identifies the picture and its state
 };
 
-/// Finds torn and rotten entries at memory speed; it is no defence against malice, which SHA-256 on the picture is.
-/// Four FNV-1a chains over every fourth 64-bit word: one chain alone would wait four cycles on each multiplication.
+/// Detects incomplete and damaged entries at memory speed. It does not detect deliberate changes; SHA-256 on the
+/// picture does. Four interleaved FNV-1a hashes, each over every fourth 64-bit word: a single one would wait for the
+/// latency of each multiplication.
 std::uint64_t checksum(std::span<const Rgba> pixels) {
   constexpr std::uint64_t offset = 0xcbf29ce484222325, prime = 0x100000001b3;
   std::array<std::uint64_t, 4> chain{offset, offset + 1, offset + 2, offset + 3};
@@ -61,7 +62,7 @@ std::optional<Image> read_entry(const std::filesystem::path& file, const std::ar
     if (checksum(image.pixels()) != header.checksum) return std::nullopt;
     return image;
   } catch (const Error&) {
-    return std::nullopt;  // an unreadable entry is no entry
+    return std::nullopt;  // treat an unreadable entry as missing
   }
 }
 
@@ -77,7 +78,7 @@ void write_entry(const std::filesystem::path& file, const std::array<char, 64>& 
   try {
     write_file(file, bytes);
   } catch (const Error&) {
-    // A cache that cannot be written (full disk, read-only home) must not cost anybody a verdict.
+    // FailingPicture to write the cache (full disk, read-only home) must not prevent a verdict.
   }
 }
 
@@ -92,7 +93,7 @@ Image cached_picture(const std::filesystem::path& folder, const std::filesystem:
   const auto changed = std::filesystem::last_write_time(picture, problem);
   if (problem) throw Error(fmt::format("{}: cannot be read: {}", picture.string(), problem.message()));
 
-  // Named by the picture's place, so that a changed picture replaces its old entry instead of leaving it behind.
+  // The entry's name depends only on the picture's path, so that a changed picture overwrites its old entry.
   const std::string place = std::filesystem::absolute(picture).lexically_normal().string();
   const std::filesystem::path entry = folder / (sha256(place).substr(0, 32) + ".raw");
   const std::string state =

@@ -1,5 +1,5 @@
-// Decoded reference pictures, kept as raw floats: opening an EXR costs a quarter of a second of start-up for the
-// picture library alone, which a student who waits for a verdict should pay once and not at every save.
+// A cache of decoded reference pictures as raw floats: starting the picture library takes a quarter of a second, which
+// a student should not wait for at every save.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,12 @@
 
 namespace atelier::judge {
 
-/// The pixels of `picture`, from `folder` where they were kept before, otherwise from `decode()`, and then kept.
+/// The pixels of `picture`, from the cache in `folder` if it has them, otherwise from `decode()`, which is then cached.
 ///
-/// An entry is found by the picture's absolute path, size in bytes, time of last change and `fingerprint`, so that a
-/// changed picture or sidecar never meets an old entry. Entries are written beside and renamed, and carry a checksum:
-/// the folder may be deleted, filled with rubbish or shared by several processes at any time, and a folder that cannot
-/// be written costs speed only. An empty `folder` means no cache. Throws Error where `picture` is missing, and what
-/// `decode` throws.
+/// The key of an entry is the picture's absolute path, size in bytes, time of last change and `fingerprint`, so a
+/// changed picture or sidecar never matches an old entry. Entries are written atomically and have a checksum, so the
+/// folder may be deleted, damaged or shared by several processes at any time. If it cannot be written, only speed is
+/// lost. An empty `folder` means no cache. Throws Error if `picture` is missing, and whatever `decode` throws.
 Image cached_picture(const std::filesystem::path& folder, const std::filesystem::path& picture,
                      const std::string& fingerprint, const std::function<Image()>& decode);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Numbers the 32-bit floats from -infinity to infinity in order, both zeros alike: neighbours differ by one.
+/// The position of a number among all 32-bit floats in order: neighbours differ by one, both zeros are 0.
 std::int64_t float_rank(double value) {
   const auto bits = std::bit_cast<std::int32_t>(float(value));
   return bits >= 0 ? bits : -std::int64_t(bits & 0x7fffffff);
@@ -26,7 +26,7 @@ double unsigned_zero(double x) {
   return x == 0 ? 0 : x;
 }
 
-/// The worst times_tolerance among the components of one input; infinity where the counts differ.
+/// The largest times_tolerance among the components of one input; infinity if the counts differ.
 double worst_of(const Numbers& yours, const Numbers& expected, const Tolerance& tolerance) {
   if (yours.size() != expected.size()) return infinity;
   double worst = 0;
@@ -59,14 +59,14 @@ ProbeMeasurement measure_probe(const std::vector<Numbers>& yours, const std::vec
   ProbeMeasurement measured;
   measured.inputs = int(expected.size());
   if (yours.size() != expected.size()) {
-    measured.malformed = fmt::format("{} results came back for {} inputs", yours.size(), expected.size());
+    measured.malformed = fmt::format("{} results were returned for {} inputs", yours.size(), expected.size());
     measured.wrong = measured.inputs;
     return measured;
   }
   for (int i = 0; i < measured.inputs; ++i) {
     if (yours[i].size() != expected[i].size()) {
       measured.malformed =
-          fmt::format("input {} returned {} numbers in place of {}", i, yours[i].size(), expected[i].size());
+          fmt::format("for input {} it returned {} numbers instead of {}", i, yours[i].size(), expected[i].size());
       measured.wrong = measured.inputs;
       return measured;
     }
@@ -142,7 +142,7 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
 
-  // A list on the label's line, a matrix below it.
+  // A list goes on the label's line, a matrix below it.
   const auto line = [](const std::string& label, const Numbers& numbers, int side, double noise) {
     return fmt::format("  {:<9}{}{}\n", label, side > 0 ? "\n" : " ",
                        side > 0 ? show_matrices(numbers, side, noise) : show_numbers(numbers));

@@ -16,14 +16,14 @@
 namespace atelier::judge {
 namespace {
 
-/// What comes out of a picture file: linear colours, as a program writes them, or the numbers as they stand.
+/// How a picture file is read: as linear colours, or as unchanged numbers.
 Encoding encoding_in_file(Unit unit) {
   return unit == Unit::colour ? Encoding::linear : Encoding::data;
 }
 
 void check_size(const Image& picture, glm::ivec2 expected, const std::filesystem::path& file) {
   if (picture.width() == expected.x && picture.height() == expected.y) return;
-  throw Error(fmt::format("{}: is {}x{} pixels, and its case asks for {}x{}", file.string(), picture.width(),
+  throw Error(fmt::format("{}: is {}x{} pixels; its case requires {}x{}", file.string(), picture.width(),
                           picture.height(), expected.x, expected.y));
 }
 
@@ -34,7 +34,7 @@ void require_file(const std::filesystem::path& file, const JudgedCase& c, const 
                           file.string(), c.ask.name, step));
 }
 
-/// One of equally high pictures that lie one below the other.
+/// One of several pictures of equal height that are stored one below the other.
 Image picture_in_atlas(const Image& atlas, int index, int height) {
   Image picture(atlas.width(), height);
   for (int y = 0; y < height; ++y)
@@ -44,7 +44,7 @@ Image picture_in_atlas(const Image& atlas, int index, int height) {
 
 }  // namespace
 
-CaseAtlas seen_from_elsewhere(CaseAtlas atlas) {
+CaseAtlas with_other_view(CaseAtlas atlas) {
   for (AtlasPicture& entry : atlas.pictures) entry.same_view = false;
   return atlas;
 }
@@ -102,13 +102,13 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
     if (c.expected.empty())
       require_file(file, c, step_);
     else if (!std::filesystem::exists(file, ignored))
-      return references;  // numbers by hand need no file of ours
+      return references;  // a sidecar is optional if the case file has the numbers
     Sidecar sidecar = read_sidecar(file);
     check_sidecar(sidecar, c, file);
-    references.skeleton_share = sidecar.skeleton_share;
+    references.skeleton_fraction = sidecar.skeleton_fraction;
     if (c.expected.empty()) references.values = std::move(sidecar.values);
     if (references.values.size() != c.ask.inputs.size())
-      throw Error(fmt::format("{}: has results for {} inputs, and case '{}' has {}", file.string(),
+      throw Error(fmt::format("{}: has results for {} inputs, but case '{}' has {}", file.string(),
                               references.values.size(), c.ask.name, c.ask.inputs.size()));
     return references;
   }
@@ -119,17 +119,17 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
     require_file(sidecar_path(file), c, step_);
     const Sidecar sidecar = read_sidecar(sidecar_path(file));
     check_sidecar(sidecar, c, sidecar_path(file));
-    // The bytes are read once for the fingerprint, and only where the cache has not seen this very state of them.
+    // The file is hashed and decoded only if the cache does not have its current state.
     Image picture = cached_picture(cache_, file, sidecar.sha256, [&] {
       if (sha256(read_file(file)) != sidecar.sha256)
         throw Error(
-            fmt::format("{}: is not the file that its sidecar was written for (SHA-256 differs); take both from "
-                        "one place, or make them again with './atelier reference {}'",
+            fmt::format("{}: is not the file that its sidecar was written for (SHA-256 differs); copy both from "
+                        "the same source, or make them again with './atelier reference {}'",
                         file.string(), step_));
       return read_image(file, encoding_in_file(c.unit));
     });
     check_size(picture, c.ask.size, file);
-    if (references.pictures.empty()) references.skeleton_share = sidecar.skeleton_share;
+    if (references.pictures.empty()) references.skeleton_fraction = sidecar.skeleton_fraction;
     references.pictures.push_back(std::move(picture));
   }
   if (references.pictures.empty()) throw Error(fmt::format("{}: case '{}' names no reference", step_, c.ask.name));

@@ -49,10 +49,10 @@ std::vector<Rectangle> read_mask(const Json& list, const std::string& where, glm
   std::vector<Rectangle> mask;
   for (const Json& value : list)
     mask.push_back(read_rectangle(value, fmt::format("{}: rectangle {}", where, mask.size()), size));
-  const double share = mask_of(mask, size).count() / (double(size.x) * size.y);
-  if (share > largest_masked_share)
+  const double fraction = mask_of(mask, size).count() / (double(size.x) * size.y);
+  if (fraction > max_masked_fraction)
     throw Error(
-        fmt::format("{}: {:.3g} of the picture is masked; at most {} may be", where, share, largest_masked_share));
+        fmt::format("{}: {:.3g} of the picture is masked; at most {} may be", where, fraction, max_masked_fraction));
   return mask;
 }
 
@@ -69,7 +69,7 @@ std::vector<Region> read_regions(const Json& list, const std::string& where, glm
                                         least_weight, most_weight);
     for (const Region& other : regions)
       if (overlap(other.at, region.at))
-        throw Error(fmt::format("{}: '{}' overlaps '{}'; regions must lie apart", place, region.name, other.name));
+        throw Error(fmt::format("{}: '{}' overlaps '{}'; regions must not overlap", place, region.name, other.name));
     regions.push_back(std::move(region));
   }
   return regions;
@@ -94,9 +94,9 @@ Mask mask_of(const std::vector<Rectangle>& mask, glm::ivec2 size) {
   return result;
 }
 
-double weighted_share(const Mask& over, const std::vector<Rectangle>& mask, const std::vector<Region>& regions) {
+double weighted_fraction(const Mask& over, const std::vector<Rectangle>& mask, const std::vector<Region>& regions) {
   const Mask masked = mask_of(mask, {over.width(), over.height()});
-  // All pixels once, then what each region counts more or less.
+  // Count every pixel once, then add each region's extra weight.
   double failing = 0, all = double(over.width()) * over.height() - masked.count();
   for (int y = 0; y < over.height(); ++y)
     for (int x = 0; x < over.width(); ++x) failing += over.at(x, y) && !masked.at(x, y);

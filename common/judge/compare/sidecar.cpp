@@ -76,12 +76,12 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
       where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   const auto at = [&](const char* name) { return where + ": " + name; };
-  strict_json::whole(member("schema"), at("schema"), schema, schema);
+  strict_json::integer(member("schema"), at("schema"), schema, schema);
 
   Sidecar sidecar;
   sidecar.case_name = strict_json::name(member("case"), at("case"));
   sidecar.profile = value_of(profiles, member("profile"), at("profile"));
-  sidecar.skeleton_share = strict_json::number(member("skeleton_share"), at("skeleton_share"), 0, 1);
+  sidecar.skeleton_fraction = strict_json::number(member("skeleton_share"), at("skeleton_share"), 0, 1);
   sidecar.margin = strict_json::number(member("margin"), at("margin"), 0, 1e9);
   if (const Json* nearest = strict_json::optional(json, "nearest"))
     sidecar.nearest = strict_json::name(*nearest, at("nearest"));
@@ -97,9 +97,9 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   }
   sidecar.unit = value_of(units, member("unit"), at("unit"));
   sidecar.delta = strict_json::number(member("delta"), at("delta"), 0, 1e9);
-  sidecar.budget = strict_json::whole(member("budget"), at("budget"), 0, 1 << 24);
+  sidecar.budget = strict_json::integer(member("budget"), at("budget"), 0, 1 << 24);
   sidecar.exposure = strict_json::number(member("exposure"), at("exposure"), 0, 1e9);
-  constexpr glm::ivec2 any_size(4096);  // the largest of a case; it was checked against its own
+  constexpr glm::ivec2 any_size(4096);  // the largest allowed; the case file's own size was checked when it was read
   if (const Json* mask = strict_json::optional(json, "mask")) sidecar.mask = read_mask(*mask, at("mask"), any_size);
   if (const Json* regions = strict_json::optional(json, "regions"))
     sidecar.regions = read_regions(*regions, at("regions"), any_size);
@@ -128,7 +128,7 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar) {
     if (!sidecar.reason.empty()) json["reason"] = sidecar.reason;
     json["sha256"] = sidecar.sha256;
   }
-  json["skeleton_share"] = sidecar.skeleton_share;
+  json["skeleton_share"] = sidecar.skeleton_fraction;
   json["margin"] = sidecar.margin;
   if (sidecar.nearest) json["nearest"] = *sidecar.nearest;
   json["environment"] = sidecar.environment;
@@ -141,7 +141,7 @@ void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::files
   const auto expect = [&](const char* what, const auto& made, const auto& now) {
     if (made != now)
       throw Error(
-          fmt::format("{}: was made for {} {}, and case '{}' now says {}; make the reference again with "
+          fmt::format("{}: was made for {} {}, but case '{}' now has {}; make the reference again with "
                       "'./atelier reference', which checks the mistakes against the new tolerance",
                       file.string(), what, made, c.ask.name, now));
   };
@@ -160,7 +160,7 @@ WrongValues read_wrong_values(const std::filesystem::path& file) {
   const std::string where = file.string();
   const Json json = strict_json::parse(read_file(file), where);
   strict_json::refuse_unknown(json, {"schema", "mistakes"}, where);
-  strict_json::whole(strict_json::required(json, "schema", where), where + ": schema", schema, schema);
+  strict_json::integer(strict_json::required(json, "schema", where), where + ": schema", schema, schema);
   const Json& mistakes = strict_json::required(json, "mistakes", where);
   if (!mistakes.is_object()) strict_json::refuse(mistakes, where + ": mistakes", "an object of lists by mistake");
   WrongValues values;

@@ -35,21 +35,21 @@ std::string default_reason(Status status) {
     case Status::build_failed:
       return "The files did not compile.";
     default:
-      return "The program wrote no answer to this case.";
+      return "The program wrote no answer for this case.";
   }
 }
 
-/// What to try where there is nothing to compare: the case's own hint is about an answer that came.
+/// The hint if there is no answer; the case's own hint is about a wrong answer.
 std::string hint_without_answer(Status status, const std::string& hint_of_case) {
   switch (status) {
     case Status::build_failed:
-      return "Mend what the compiler names first: nothing that needs this file can be judged before.";
+      return "Fix the first compiler error; cases that need this file cannot be judged before.";
     case Status::crashed:
-      return "Look for an index out of range, a null pointer, a recursion without end, or something thrown that "
-             "nothing "
-             "catches; a debugger names the line.";
+      return "Look for an index out of range, a null pointer, an endless recursion, or an uncaught exception; a "
+             "debugger "
+             "shows the line.";
     case Status::timeout:
-      return "Look for a loop that never ends, or that makes its work longer while it runs.";
+      return "Look for an endless loop, or a loop that adds work while it runs.";
     default:
       return hint_of_case;
   }
@@ -70,13 +70,13 @@ CaseResult blank(const JudgedCase& c, const Answer& answer, const StepReferences
 
 }  // namespace
 
-void pass(CaseResult& result) {
+void give_full_credit(CaseResult& result) {
   result.status = Status::passed;
   result.score = result.max_score;
   result.hint.clear();
 }
 
-void give(CaseResult& result, const Credit& credit) {
+void give_partial_credit(CaseResult& result, const Credit& credit) {
   result.score = credit.fraction * result.max_score;
   result.credit = result.score > 0 ? credit.explanation : "";
 }
@@ -89,8 +89,7 @@ void name_mistake(CaseResult& result, const std::string& name, const StepReferen
   if (!known->hint.empty()) result.hint = known->hint;
 }
 
-/// Puts a hypothesis in front of what was seen.
-void say_hypothesis(CaseResult& result, const Hypothesis& whole) {
+void add_hypothesis(CaseResult& result, const Hypothesis& whole) {
   result.hypothesis = whole.name;
   result.reason = whole.sentence + " " + result.reason;
   result.hint = whole.hint;
@@ -100,13 +99,13 @@ std::string reason_without_answer(Status status, const Answer& answer) {
   return answer.error.empty() ? default_reason(status) : answer.error;
 }
 
-void miss(CaseResult& result, const Answer& answer) {
+void set_missing(CaseResult& result, const Answer& answer) {
   result.status = Status::missing;
   result.reason = reason_without_answer(Status::missing, answer);
 }
 
 CaseResult judge_case(const JudgedCase& c, const Answer& answer, const StepReferences& references, KeepEvidence keep) {
-  references.of(c);  // a broken reference is our failure, and is said whatever the answer was
+  references.of(c);  // report a broken reference whatever the answer is
   CaseResult result = blank(c, answer, references);
   if (answer.ended != Answer::Ended::normally) {
     result.reason = reason_without_answer(result.status, answer);

@@ -9,17 +9,17 @@ CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& an
                         KeepEvidence keep) {
   const std::vector<Image>& truth = references.of(c).pictures;
   if (!answer.pixels) {
-    miss(result, answer);
+    set_missing(result, answer);
     return result;
   }
-  if (const auto stopped = stopped_at_gate(*answer.pixels, truth, c)) {
-    stop_at_gate(result, *stopped, c, *answer.pixels, references, keep);
+  if (const auto stopped = find_gate_failure(*answer.pixels, truth, c)) {
+    report_gate_failure(result, *stopped, c, *answer.pixels, references, keep);
     return result;
   }
   for (const auto& [name, most] : c.choice->at_most)
     if (!answer.counts.contains(name)) {
       result.status = Status::missing;
-      result.reason = fmt::format("The program did not say what the picture costs: '{}' is missing.", name);
+      result.reason = fmt::format("The program did not report the picture's cost: '{}' is missing.", name);
       return result;
     }
   const ChoiceMeasurement measured =
@@ -28,10 +28,10 @@ CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& an
   for (const auto& [name, most] : c.choice->at_most) result.figures[name] = double(answer.counts.at(name));
   result.reason = describe_choice(measured, answer.counts, *c.choice);
   if (measured.passed())
-    pass(result);
+    give_full_credit(result);
   else
-    give(result,
-         {measured.credit, "By the logarithm of the error, between what earns all points and what earns none."});
+    give_partial_credit(result, {measured.credit,
+                                 "Logarithmic in the error, between the error for all points and the error for none."});
   if (keep == KeepEvidence::always || (keep == KeepEvidence::failures && !measured.passed())) {
     Match match = best_match(c, *answer.pixels, truth);
     keep_evidence(result, match, c);

@@ -1,4 +1,4 @@
-// What the verdicts on pictures, choices and probes have in common.
+// Functions shared by the verdicts on pictures, choices and probes.
 #pragma once
 
 #include <string>
@@ -10,29 +10,29 @@
 
 namespace atelier::judge {
 
-/// All points; nothing to try.
-void pass(CaseResult& result);
+/// Sets the status to passed, with all points and without a hint.
+void give_full_credit(CaseResult& result);
 
-/// Partial credit, with its explanation where there is any.
-void give(CaseResult& result, const Credit& credit);
+/// Sets the partial credit and its explanation.
+void give_partial_credit(CaseResult& result, const Credit& credit);
 
-/// No answer was written, or no usable one.
-void miss(CaseResult& result, const Answer& answer);
+/// Sets the status to missing: there is no usable answer.
+void set_missing(CaseResult& result, const Answer& answer);
 
-/// The name of a known mistake, with its sentence and its hint.
+/// Sets the name of the recognised mistake, with its sentence and hint.
 void name_mistake(CaseResult& result, const std::string& name, const StepReferences& references);
 
-/// Puts a hypothesis in front of what was seen.
-void say_hypothesis(CaseResult& result, const Hypothesis& whole);
+/// Puts the hypothesis's sentence before the reason, and uses its hint.
+void add_hypothesis(CaseResult& result, const Hypothesis& whole);
 
-/// Each completes a blank result for an answer that the program ended normally.
+/// Each completes a blank result for an answer that ended normally.
 CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
                          KeepEvidence keep);
 CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
                         KeepEvidence keep);
 CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references);
 
-/// Why a result has no answer: the program's own words, or a sentence for the status.
+/// Why there is no answer: the program's message, or a sentence for the status.
 std::string reason_without_answer(Status status, const Answer& answer);
 
 }  // namespace atelier::judge

@@ -10,14 +10,13 @@
 namespace atelier::judge {
 namespace {
 
-/// Passed before failed, then by the failing pixels. The first of equals, so that the order of the case file decides.
+/// Passed is better than failed; then fewer failing pixels. Not better if equal, so that the first reference is kept.
 bool better(const Measurement& a, const Measurement& b) {
   if (a.passed != b.passed) return a.passed;
   return a.difference.over < b.difference.over;
 }
 
-/// Both data pictures mapped by the reference's range to 0..1, where it does not lie there already: what can be looked
-/// at.
+/// Maps both data pictures from the reference's range to 0..1, unless it is within 0..1, so that they can be shown.
 void make_visible(Image& yours, Image& reference) {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
   for (const Rgba& p : reference.pixels()) {
@@ -38,14 +37,14 @@ void keep_figures(CaseResult& result, const Measurement& measured) {
   result.figures["shift"] = measured.shift.length();
 }
 
-/// Names the mistake of the atlas that the picture looks like, and keeps that mistake's picture for the report.
+/// Names the mistake of the atlas that the picture looks like, and returns its picture for the report.
 void name_picture(CaseResult& result, const Match& match, const JudgedCase& c, const StepReferences& references,
                   std::optional<Image>& mistake_picture) {
   const CaseAtlas& atlas = references.atlas(c);
   if (atlas.pictures.empty()) return;
   const auto found =
-      recognised(rank_mistakes(make_atlas_picture(match.yours, match.reference, c.unit),
-                               make_atlas_picture(match.reference, match.reference, c.unit), atlas.pictures));
+      recognise(rank_mistakes(make_atlas_picture(match.yours, match.reference, c.unit),
+                              make_atlas_picture(match.reference, match.reference, c.unit), atlas.pictures));
   if (!found) return;
   name_mistake(result, found->mistake, references);
   result.figures["nearness"] = found->distance / found->reference;
@@ -59,17 +58,17 @@ void explain_picture(CaseResult& result, const Match& match, const JudgedCase& c
   result.reason = describe_failure(measured, match.yours, match.reference, c);
   const auto whole = explain_whole_picture(
       {yours_raw, *match.reference_raw, match.yours, match.reference, c, measured.difference.mask});
-  if (whole) say_hypothesis(result, *whole);
+  if (whole) add_hypothesis(result, *whole);
   name_picture(result, match, c, references, mistake_picture);
 
-  Shortfall shortfall;
-  shortfall.share = measured.share;
-  shortfall.weighted = !c.regions.empty();
-  shortfall.budget_share = double(effective_budget(c, measured.pixels)) / measured.pixels;
-  shortfall.skeleton_share = references.of(c).skeleton_share;
-  shortfall.blob = measured.difference.blob > 0;
-  shortfall.whole_picture = whole.has_value() || measured.shifted;
-  give(result, partial_credit(shortfall));
+  PictureFailure failure;
+  failure.failing_fraction = measured.failing_fraction;
+  failure.weighted = !c.regions.empty();
+  failure.budget_fraction = double(effective_budget(c, measured.pixels)) / measured.pixels;
+  failure.skeleton_fraction = references.of(c).skeleton_fraction;
+  failure.blob = measured.difference.blob > 0;
+  failure.whole_picture = whole.has_value() || measured.shifted;
+  give_partial_credit(result, partial_credit(failure));
 }
 
 }  // namespace
@@ -99,19 +98,19 @@ void keep_evidence(CaseResult& result, Match& match, const JudgedCase& c) {
   result.evidence = std::move(evidence);
 }
 
-void stop_at_gate(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
-                  const StepReferences& references, KeepEvidence keep) {
+void report_gate_failure(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
+                         const StepReferences& references, KeepEvidence keep) {
   result.reason = stopped.sentence;
   result.hint = stopped.hint;
   const Image& right = references.of(c).pictures.front();
   if (stopped.kind == GateFailure::Kind::size) return;
   Match match;
   match.reference_raw = &right;
-  match.yours = compared_form(with_non_finite_marked(yours), c);
+  match.yours = compared_form(mark_non_finite(yours), c);
   match.reference = compared_form(right, c);
   match.measured.pixels = int(right.pixels().size());
-  constexpr double no_finite_difference = 1e30;  // so that only what is not finite is over it
-  match.measured.difference = compare_strict(yours, right, Measure::number, no_finite_difference);
+  constexpr double huge_delta = 1e30;  // only values that are not finite exceed it
+  match.measured.difference = compare_strict(yours, right, Measure::number, huge_delta);
   std::optional<Image> mistake_picture;
   if (stopped.kind == GateFailure::Kind::single_colour) {
     match.measured = measure(match.yours, match.reference, c);
@@ -129,19 +128,19 @@ CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& a
                          KeepEvidence keep) {
   const std::vector<Image>& right = references.of(c).pictures;
   if (!answer.pixels) {
-    miss(result, answer);
+    set_missing(result, answer);
     return result;
   }
   const Image& yours = *answer.pixels;
-  if (const auto stopped = stopped_at_gate(yours, right, c)) {
-    stop_at_gate(result, *stopped, c, yours, references, keep);
+  if (const auto stopped = find_gate_failure(yours, right, c)) {
+    report_gate_failure(result, *stopped, c, yours, references, keep);
     return result;
   }
   Match match = best_match(c, yours, right);
   keep_figures(result, match.measured);
   std::optional<Image> mistake_picture;
   if (match.measured.passed) {
-    pass(result);
+    give_full_credit(result);
     result.reason = describe_pass(match.measured, c);
   } else {
     result.worst = worst_pixel(match.measured, match.yours, match.reference, c.unit);

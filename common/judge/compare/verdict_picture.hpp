@@ -1,4 +1,4 @@
-// A picture beside the reference that it comes nearest to: what verdicts on pictures and on choices rest on.
+// Matches a picture with its nearest reference, for the verdicts on pictures and on choices.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace atelier::judge {
 
-/// An answer with the reference that it comes nearest to.
+/// An answer and its nearest reference.
 struct Match {
   const Image* reference_raw = nullptr;
   Image yours, reference;  // in compared form
@@ -18,11 +18,11 @@ struct Match {
 
 Match best_match(const JudgedCase& c, const Image& yours_raw, const std::vector<Image>& references);
 
-/// Keeps both pictures and where they differ for the report.
+/// Moves both pictures and their difference into the result, for the report.
 void keep_evidence(CaseResult& result, Match& match, const JudgedCase& c);
 
-/// A picture that did not come through gate 0: what is there is shown, and its mistake named where many look like it.
-void stop_at_gate(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
-                  const StepReferences& references, KeepEvidence keep);
+/// Completes the result of a picture that failed at the gate. Names the recognised mistake of a single-colour picture.
+void report_gate_failure(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
+                         const StepReferences& references, KeepEvidence keep);
 
 }  // namespace atelier::judge

@@ -11,11 +11,11 @@
 namespace atelier::judge {
 namespace {
 
-/// "at input 2: row 1, column 4 (m[3][0]) is 0 in place of 5"
+/// "at input 2: row 1, column 4 (m[3][0]) is 0 instead of 5"
 std::string number_words(const ProbeNumber& number, const std::vector<Numbers>& expected) {
   const auto count = int(expected[std::size_t(number.input)].size());
   const std::string place = place_of_number(number.component, count, matrix_side(expected));
-  return fmt::format("at input {}: {} is {} in place of {}", number.input, place.empty() ? "the result" : place,
+  return fmt::format("at input {}: {} is {} instead of {}", number.input, place.empty() ? "the result" : place,
                      show_numbers({number.yours}), show_numbers({number.expected}));
 }
 
@@ -23,7 +23,7 @@ std::string describe_probe(const ProbeMeasurement& measured, const std::vector<N
                            const JudgedCase& c) {
   const std::string& name = c.ask.probe;
   if (!measured.malformed.empty()) return fmt::format("{}: {}.", name, measured.malformed);
-  const std::string inputs = measured.inputs == 1 ? "the one input" : fmt::format("all {} inputs", measured.inputs);
+  const std::string inputs = measured.inputs == 1 ? "the only input" : fmt::format("all {} inputs", measured.inputs);
   if (measured.passed)
     return measured.worst_times == 0 ? fmt::format("{} is right for {}.", name, inputs)
                                      : fmt::format("{} is right for {}; the worst is at {:.2g} of the tolerance.", name,
@@ -31,11 +31,12 @@ std::string describe_probe(const ProbeMeasurement& measured, const std::vector<N
   const std::string wrong =
       measured.wrong == measured.inputs ? inputs : fmt::format("{} of {} inputs", measured.wrong, measured.inputs);
   const ProbeNumber &first = measured.first_wrong.value(), &worst = measured.worst;
-  std::string text = fmt::format("{} is wrong for {}. First {}", name, wrong, number_words(first, expected));
+  std::string text = fmt::format("{} is wrong for {}. First error {}", name, wrong, number_words(first, expected));
   if (first.input != worst.input || first.component != worst.component)
-    text += fmt::format("; farthest off {}", number_words(worst, expected));
+    text += fmt::format("; worst error {}", number_words(worst, expected));
   text += '.';
-  if (measured.non_finite > 0) text += fmt::format(" For {} of them NaN or infinity comes back.", measured.non_finite);
+  if (measured.non_finite > 0) text += fmt::format(" For {} of them it returns NaN or infinity.", measured.non_finite);
+
   return text;
 }
 
@@ -44,7 +45,7 @@ std::string describe_probe(const ProbeMeasurement& measured, const std::vector<N
 CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references) {
   const CaseReferences& right = references.of(c);
   if (!answer.values) {
-    miss(result, answer);
+    set_missing(result, answer);
     return result;
   }
   const ProbeMeasurement measured = measure_probe(*answer.values, right.values, c);
@@ -54,15 +55,15 @@ CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& ans
   result.table = probe_table(*answer.values, right.values, c);
   result.reason = describe_probe(measured, right.values, c);
   if (measured.passed) {
-    pass(result);
+    give_full_credit(result);
     return result;
   }
   if (measured.malformed.empty())
-    if (const auto whole = explain_values(*answer.values, right.values, c)) say_hypothesis(result, *whole);
+    if (const auto whole = explain_values(*answer.values, right.values, c)) add_hypothesis(result, *whole);
   if (const auto name = recognise_values(*answer.values, references.atlas(c).values, c))
     name_mistake(result, *name, references);
   if (measured.malformed.empty())
-    give(result, partial_probe_credit(measured.wrong, measured.inputs, right.skeleton_share));
+    give_partial_credit(result, partial_probe_credit(measured.wrong, measured.inputs, right.skeleton_fraction));
   return result;
 }
 

@@ -18,27 +18,27 @@
 namespace atelier::judge {
 namespace {
 
-/// An operation undone pixel by pixel: the undone picture holds value(yours(source(x, y))).
+/// How to undo an operation pixel by pixel: the undone picture is value(yours(source(x, y))).
 struct Undo {
-  Hypothesis says;
+  Hypothesis hypothesis;
   std::function<glm::ivec2(glm::ivec2)> source;
   std::function<Rgba(const Rgba&)> value;
   double slack = 1;  ///< factor on delta, for operations that magnify small differences when undone
 };
 
-/// Delta with which an undone picture is compared: an exact profile asks for equality, and a rounding to 8 bits must
-/// not hide an operation from us.
+/// The delta for an undone picture. The exact profile requires equality, but rounding to 8 bits must not hide an
+/// operation.
 double undone_delta(const JudgedCase& c, double slack) {
   if (c.profile != Profile::exact) return c.delta * slack;
   return c.unit == Unit::number ? 0 : 0.5 * slack;
 }
 
-/// The pixels of the undone picture at `positions`, and those of the reference beside them; one row each. Positions
-/// whose source lies outside the picture are given the reference: nothing can be said about them.
+/// The pixels of the undone picture and of the reference at `positions`, one row each. If a source is outside the
+/// picture, the reference's pixel is used, since the position tells nothing.
 struct Undone {
   Image picture, reference;
 };
-Undone undo_at(const Failing& failing, const Undo& undo, std::span<const Position> positions) {
+Undone undo_at(const FailingPicture& failing, const Undo& undo, std::span<const Position> positions) {
   const int width = failing.reference.width(), height = failing.reference.height();
   Undone undone{Image(int(positions.size()), 1), Image(int(positions.size()), 1)};
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -52,14 +52,14 @@ Undone undo_at(const Failing& failing, const Undo& undo, std::span<const Positio
   return undone;
 }
 
-int over_at(const Failing& failing, const Undo& undo, std::span<const Position> positions) {
+int over_at(const FailingPicture& failing, const Undo& undo, std::span<const Position> positions) {
   const Undone undone = undo_at(failing, undo, positions);
   return compare_strict(undone.picture, undone.reference, measure_of(failing.c.unit),
                         undone_delta(failing.c, undo.slack))
       .over;
 }
 
-/// At most 512 of the failing pixels, spread evenly: enough to turn most operations down without looking at the rest.
+/// At most 512 failing pixels, evenly spread: enough to reject most operations quickly.
 std::vector<Position> sample_of(const Mask& over) {
   std::vector<Position> all;
   for (int y = 0; y < over.height(); ++y)
@@ -71,8 +71,8 @@ std::vector<Position> sample_of(const Mask& over) {
   return sample;
 }
 
-/// Failing pixels after undoing, counted row by row until there are `limit`.
-int over_when_undone(const Failing& failing, const Undo& undo, int limit) {
+/// The number of failing pixels after undoing, counted row by row until `limit` is reached.
+int over_when_undone(const FailingPicture& failing, const Undo& undo, int limit) {
   std::vector<Position> row(std::size_t(failing.reference.width()));
   int over = 0;
   for (int y = 0; y < failing.reference.height() && over < limit; ++y) {
@@ -90,27 +90,27 @@ std::function<Rgba(const Rgba&)> per_channel(Channel channel) {
 void add_mirrors(std::vector<Undo>& undos, int width, int height) {
   const int right = width - 1, bottom = height - 1;
   undos.push_back(
-      {{"flipped-y", "The picture stands on its head: mirrored top to bottom it matches.",
-        "Row 0 is the top row, while gl_FragCoord and texture coordinates count from the bottom: look for the "
-        "sign of y, or for v in place of 1 - v."},
+      {{"flipped-y", "The picture is upside down: flipped vertically it matches.",
+        "Row 0 is the top row, but gl_FragCoord and texture coordinates count from the bottom: check the sign of y, "
+        "and v against 1 - v."},
        [=](glm::ivec2 p) { return glm::ivec2(p.x, bottom - p.y); }});
   undos.push_back({{"flipped-x", "The picture is mirrored left to right.",
-                    "Look for the sign of x: the order of a cross product, or the sign of the right vector."},
+                    "Check the sign of x: the order of a cross product, or the sign of the right vector."},
                    [=](glm::ivec2 p) { return glm::ivec2(right - p.x, p.y); }});
-  undos.push_back({{"rotated-180", "The picture is turned by half a turn: mirrored in both directions it matches.",
-                    "Both x and y are negated: look for a sign that both share, such as a negative w or scale."},
+  undos.push_back({{"rotated-180", "The picture is rotated by 180 degrees.",
+                    "Both x and y are negated: look for a sign that affects both, such as a negative w or scale."},
                    [=](glm::ivec2 p) { return glm::ivec2(right - p.x, bottom - p.y); }});
   if (width == height)
-    undos.push_back({{"transposed", "Rows and columns are exchanged: mirrored along its diagonal the picture matches.",
+    undos.push_back({{"transposed", "Rows and columns are exchanged: mirrored at its diagonal the picture matches.",
                       "Look for x and y, or a row and a column index, in the wrong order."},
                      [](glm::ivec2 p) { return glm::ivec2(p.y, p.x); }});
 }
 
 void add_shifts(std::vector<Undo>& undos, int width, int height) {
-  constexpr int narrowest = 8;  // pixels: along a shorter side a shift by one explains nothing
+  constexpr int min_side = 8;  // pixels; along a shorter side a shift by one pixel explains nothing
   for (int dy : {-1, 0, 1})
     for (int dx : {-1, 0, 1}) {
-      if ((dx == 0 && dy == 0) || (dx != 0 && width < narrowest) || (dy != 0 && height < narrowest)) continue;
+      if ((dx == 0 && dy == 0) || (dx != 0 && width < min_side) || (dy != 0 && height < min_side)) continue;
       const std::string sideways = dx == 0 ? "" : dx > 0 ? "to the right" : "to the left";
       const std::string along = dy == 0 ? "" : dy > 0 ? "down" : "up";
       undos.push_back(
@@ -127,11 +127,11 @@ void add_channel_swaps(std::vector<Undo>& undos) {
   constexpr std::array<std::pair<Order, const char*>, 5> swaps{{{{2, 1, 0}, "red and blue"},
                                                                 {{1, 0, 2}, "red and green"},
                                                                 {{0, 2, 1}, "green and blue"},
-                                                                {{1, 2, 0}, "red, green and blue in a circle"},
-                                                                {{2, 0, 1}, "red, green and blue in a circle"}}};
+                                                                {{1, 2, 0}, "red, green and blue are rotated"},
+                                                                {{2, 0, 1}, "red, green and blue are rotated"}}};
   for (const auto& [order, words] : swaps)
     undos.push_back({{"swapped-channels", fmt::format("Channels are exchanged: {}.", words),
-                      "Look at the order of the components, and at the format that the texture is uploaded with."},
+                      "Check the order of the components, and the format of the texture upload."},
                      {},
                      [order = order](const Rgba& p) {
                        const std::array channels{p.r, p.g, p.b};
@@ -140,19 +140,19 @@ void add_channel_swaps(std::vector<Undo>& undos) {
 }
 
 void add_encodings(std::vector<Undo>& undos, Unit unit) {
-  // The curve's slope is 12.9 in the darkest and 1/12.9 to 1/2.3 elsewhere: undone, a difference within delta may grow.
+  // Undoing the curve magnifies differences: its slope is 12.9 in the darkest range.
   constexpr double magnified = 4;
   const bool by_judge = unit == Unit::colour;
-  undos.push_back({{"encoded-twice", "The picture is pale: it is sRGB-encoded twice.",
-                    by_judge ? "Write linear colours: the picture is encoded once, after your program."
-                             : "Encode once, at the very end; textures are decoded where they are read."},
+  undos.push_back({{"encoded-twice", "The picture is too pale: it is sRGB-encoded twice.",
+                    by_judge ? "Write linear colours: the picture is encoded after your program."
+                             : "Encode once, at the end; textures are decoded when they are sampled."},
                    {},
                    per_channel([](float v) { return srgb_decode(v); }),
                    magnified});
   undos.push_back({{"not-encoded",
-                    by_judge ? "The picture is dark: sRGB-decoded once too often, as if linear values had been decoded."
-                             : "The picture is dark: linear values stand where sRGB-encoded ones are asked for.",
-                    by_judge ? "Decode textures that hold colours, once; light and materials are linear already."
+                    by_judge ? "The picture is too dark: linear values were sRGB-decoded once too often."
+                             : "The picture is too dark: it has linear values instead of sRGB-encoded ones.",
+                    by_judge ? "Decode colour textures once; light and materials are already linear."
                              : "Apply the sRGB curve to the finished colour."},
                    {},
                    per_channel([](float v) { return srgb_encode(v); }),
@@ -162,7 +162,7 @@ void add_encodings(std::vector<Undo>& undos, Unit unit) {
 void add_directions(std::vector<Undo>& undos) {
   const auto negate = [&](const char* name, const char* words, bool x, bool y, bool z) {
     undos.push_back({{name, fmt::format("The directions are right except for a sign: {} negated.", words),
-                      "Look at the order of the factors of a cross product, and at which end of the arrow is which."},
+                      "Check the order of the factors of a cross product, and the order of each difference of points."},
                      {},
                      [=](const Rgba& p) {
                        return Rgba{x ? 1 - p.r : p.r, y ? 1 - p.g : p.g, z ? 1 - p.b : p.b, p.a};
@@ -172,8 +172,8 @@ void add_directions(std::vector<Undo>& undos) {
   negate("negated-x", "x is", true, false, false);
   negate("negated-y", "y (green) is", false, true, false);
   negate("negated-z", "z is", false, false, true);
-  undos.push_back({{"not-packed", "The directions are written as they are, in place of n/2 + 1/2.",
-                    "A component of a direction lies in -1..1 and a colour in 0..1: write n * 0.5 + 0.5."},
+  undos.push_back({{"not-packed", "The directions are written as n instead of n/2 + 1/2.",
+                    "The components of a direction are in -1..1, but colours are in 0..1: write n * 0.5 + 0.5."},
                    {},
                    per_channel([](float v) { return 0.5f * v + 0.5f; })});
   undos.push_back({{"packed-twice", "The directions are packed twice: n/2 + 1/2 was applied to n/2 + 1/2.",
@@ -183,22 +183,22 @@ void add_directions(std::vector<Undo>& undos) {
 }
 
 void add_data(std::vector<Undo>& undos) {
-  undos.push_back({{"complement", "1 - v stands where v is asked for.",
-                    "Which end is 0? The contract says: near or far, lit or in shadow, top or bottom."},
+  undos.push_back({{"complement", "The values are 1 - v instead of v.",
+                    "Which end is 0? The contract says it: near or far, lit or in shadow, top or bottom."},
                    {},
                    per_channel([](float v) { return 1 - v; })});
-  undos.push_back({{"signed-range", "The values lie in -1..1 where 0..1 is asked for.",
+  undos.push_back({{"signed-range", "The values are in -1..1 instead of 0..1.",
                     "Map clip space to textures and depth by v * 0.5 + 0.5."},
                    {},
                    per_channel([](float v) { return 0.5f * v + 0.5f; })});
-  undos.push_back({{"halved-range", "v/2 + 1/2 stands where v is asked for.",
-                    "The mapping from -1..1 to 0..1 was applied to a value that is in its range already."},
+  undos.push_back({{"halved-range", "The values are v/2 + 1/2 instead of v.",
+                    "The mapping from -1..1 to 0..1 was applied to a value that is already in 0..1."},
                    {},
                    per_channel([](float v) { return 2 * v - 1; }),
-                   2});  // a difference doubles when it is undone
+                   2});  // undoing doubles differences
 }
 
-std::vector<Undo> undos_for(const Failing& failing) {
+std::vector<Undo> undos_for(const FailingPicture& failing) {
   std::vector<Undo> undos;
   add_mirrors(undos, failing.reference.width(), failing.reference.height());
   add_shifts(undos, failing.reference.width(), failing.reference.height());
@@ -219,7 +219,7 @@ std::vector<Undo> undos_for(const Failing& failing) {
   return undos;
 }
 
-/// The median over all pixels of yours / reference, where the reference is no rounding error; 1 where there are none.
+/// The median of yours / reference over the pixels whose reference is not nearly zero; 1 if there are none.
 double median_ratio(const Image& yours, const Image& reference) {
   const auto size = [](const Rgba& p) { return double(p.r) + p.g + p.b; };
   double brightest = 0;
@@ -235,54 +235,54 @@ double median_ratio(const Image& yours, const Image& reference) {
   return *middle;
 }
 
-/// " (that is pi)" for a factor that has a name, to half a percent.
+/// " (that is pi)" for a factor within half a percent of a known one.
 std::string name_of_factor(double gain) {
   const std::string name = factor_name(gain, 0.005);
   return name.empty() ? "" : fmt::format(" (that is {})", name);
 }
 
 /// A constant factor on the light, or on the data.
-std::optional<Hypothesis> explain_by_gain(const Failing& failing, int limit) {
+std::optional<Hypothesis> explain_by_gain(const FailingPicture& failing, int limit) {
   if (failing.c.unit == Unit::degrees) return std::nullopt;
   const double gain = median_ratio(failing.yours_raw, failing.reference_raw);
-  // Nearer to 1 it is no factor that somebody forgot; farther away a few noisy pixels would decide.
+  // A factor nearer to 1 is hardly a forgotten one; for a more extreme one a few noisy pixels would decide.
   if (!(gain > 1 / 20.0 && gain < 20) || std::abs(gain - 1) < 0.02) return std::nullopt;
 
   Image scaled = failing.yours_raw;
   for (Rgba& p : scaled.pixels()) p = {float(p.r / gain), float(p.g / gain), float(p.b / gain), p.a};
   const Image undone = compared_form(scaled, failing.c);
-  const Failing rest{scaled, failing.reference_raw, undone, failing.reference, failing.c, failing.over};
+  const FailingPicture rest{scaled, failing.reference_raw, undone, failing.reference, failing.c, failing.over};
   Undo identity;
   identity.slack = std::max(1.0, 1 / gain);  // making a dark picture brighter magnifies its differences
-  Hypothesis says;
-  says.name = "gain";
-  says.over = over_when_undone(rest, identity, limit);
-  if (says.over >= limit) return std::nullopt;
+  Hypothesis hypothesis;
+  hypothesis.name = "gain";
+  hypothesis.over = over_when_undone(rest, identity, limit);
+  if (hypothesis.over >= limit) return std::nullopt;
 
   const std::string factor = fmt::format("{:.3g} times", gain > 1 ? gain : 1 / gain);
   const bool data = failing.c.unit == Unit::number;
-  says.sentence = data ? fmt::format("All values are {:.3g} times what they should be{}.", gain, name_of_factor(gain))
-                       : fmt::format("Everything is {} too {}{}, and right otherwise.", factor,
-                                     gain > 1 ? "bright" : "dark", name_of_factor(gain));
-  says.hint = data ? "A unit or a range is off by a constant factor."
-                   : "Look for a constant that is missing or applied twice: 1/pi, an intensity, a weight.";
-  return says;
+  hypothesis.sentence = data ? fmt::format("All values are {:.3g} times the right ones{}.", gain, name_of_factor(gain))
+                             : fmt::format("Everything is {} too {}{}, but otherwise right.", factor,
+                                           gain > 1 ? "bright" : "dark", name_of_factor(gain));
+  hypothesis.hint = data ? "A unit or a range is wrong by a constant factor."
+                         : "Look for a constant that is missing or applied twice: 1/pi, an intensity, a weight.";
+  return hypothesis;
 }
 
 }  // namespace
 
-std::optional<Hypothesis> explain_whole_picture(const Failing& failing) {
+std::optional<Hypothesis> explain_whole_picture(const FailingPicture& failing) {
   const std::vector<Position> sample = sample_of(failing.over);
   if (sample.empty()) return std::nullopt;
   const int over = failing.over.count();
-  // Fewer than this many may be left. Where hardly anything fails, nothing may be.
-  int limit = over <= failing.c.budget ? 1 : int(explained_share * over) + 1;
+  // Fewer than `limit` pixels may still fail; if no more fail than the budget allows, none may.
+  int limit = over <= failing.c.budget ? 1 : int(max_unexplained_fraction * over) + 1;
   std::optional<Hypothesis> best;
   for (Undo& undo : undos_for(failing)) {
-    if (over_at(failing, undo, sample) > 2 * explained_share * double(sample.size())) continue;
+    if (over_at(failing, undo, sample) > 2 * max_unexplained_fraction * double(sample.size())) continue;
     const int left = over_when_undone(failing, undo, limit);
     if (left >= limit) continue;
-    best = std::move(undo.says);
+    best = std::move(undo.hypothesis);
     best->over = limit = left;
     if (left == 0) return best;
   }

@@ -10,8 +10,7 @@
 namespace atelier::judge {
 namespace {
 
-/// Differences that say nothing: half a level from the 8 bits of the atlas, and a level from other processors'
-/// arithmetic.
+/// Smaller differences are ignored: half a level for the 8 bits of the atlas, and one level for other processors.
 constexpr float dead_zone = 1.5f / 255;
 
 struct Range {
@@ -22,28 +21,27 @@ float channel_of(const Rgba& pixel, int channel) {
   return channel == 0 ? pixel.r : channel == 1 ? pixel.g : pixel.b;
 }
 
-/// The range that the atlas maps to 0..1: the reference's own, and half of it more on both sides, for mistakes to move
-/// in.
+/// The range that the atlas maps to 0..1: the reference's, extended by half on both sides for the values of mistakes.
 Range range_of(const Image& reference, int channel) {
   float low = std::numeric_limits<float>::max(), high = std::numeric_limits<float>::lowest();
   for (const Rgba& pixel : reference.pixels()) {
     low = std::min(low, channel_of(pixel, channel));
     high = std::max(high, channel_of(pixel, channel));
   }
-  // A channel that hardly varies still needs a range: a tenth of its size.
+  // A nearly constant channel still needs a range: a tenth of its values.
   const float spread = std::max({high - low, 0.1f * std::max(std::abs(low), std::abs(high)), 1e-3f});
   return {low - spread / 2, high + spread / 2};
 }
 
-// --- What a mistake does to a pixel of a given value ---
+// --- The effect of a mistake on pixels of a given value ---
 
-constexpr int value_bins = 8;  ///< of the right picture: few, so that each has many pixels
-constexpr int steps = 255;     ///< from the wrong picture to the right one, -1..1: two levels of 255 each
+constexpr int value_bins = 8;  ///< bins of the right picture's values: few, so that each has many pixels
+constexpr int steps = 255;     ///< bins of the difference wrong - right, -1..1
 
-/// For each channel and value of the right picture, how often the wrong one differs by which step there.
+/// For each channel and value of the right picture, a histogram of the wrong picture's difference.
 struct Effect {
-  std::array<std::array<std::array<double, steps>, value_bins>, 3> share{};  ///< of all pixels
-  std::array<std::array<double, value_bins>, 3> weight{};                    ///< sum over the steps
+  std::array<std::array<std::array<double, steps>, value_bins>, 3> fraction{};  ///< of all pixels
+  std::array<std::array<double, value_bins>, 3> weight{};                       ///< sum over the steps
 };
 
 int bin_of(float value, int bins) {
@@ -57,13 +55,13 @@ Effect effect_of(const Image& right, const Image& wrong) {
     for (int channel = 0; channel < 3; ++channel) {
       const float expected = channel_of(right.pixels()[i], channel), shown = channel_of(wrong.pixels()[i], channel);
       const int value = bin_of(expected, value_bins);
-      effect.share[channel][value][bin_of(0.5f + 0.5f * (shown - expected), steps)] += one;
+      effect.fraction[channel][value][bin_of(0.5f + 0.5f * (shown - expected), steps)] += one;
       effect.weight[channel][value] += one;
     }
   return effect;
 }
 
-/// First Wasserstein distance of two distributions over the same steps: the area between their cumulative sums.
+/// First Wasserstein distance of two histograms: the area between their cumulative sums.
 double wasserstein(const std::array<double, steps>& a, double weight_a, const std::array<double, steps>& b,
                    double weight_b) {
   double sum_a = 0, sum_b = 0, area = 0;
@@ -79,10 +77,10 @@ double distance_of(const Effect& a, const Effect& b) {
   double sum = 0, weight = 0;
   for (int channel = 0; channel < 3; ++channel)
     for (int value = 0; value < value_bins; ++value) {
-      // A value that only one of the two views shows tells nothing.
+      // Skip values that only one of the two views contains.
       const double common = std::min(a.weight[channel][value], b.weight[channel][value]);
       if (common <= 0) continue;
-      sum += common * wasserstein(a.share[channel][value], a.weight[channel][value], b.share[channel][value],
+      sum += common * wasserstein(a.fraction[channel][value], a.weight[channel][value], b.fraction[channel][value],
                                   b.weight[channel][value]);
       weight += common;
     }
@@ -97,7 +95,7 @@ Candidate candidate(const Image& yours, const Image& reference, const AtlasPictu
           distance_of(effect, effect_of(reference, reference)), false};
 }
 
-/// 0 on the mistake, 1 and more where the reference is as near.
+/// 0 if equal to the mistake, 1 or more if the reference is at least as near.
 double nearness(const Candidate& c) {
   return c.reference > 0 ? c.distance / c.reference : 1;
 }
@@ -150,13 +148,13 @@ std::vector<Candidate> rank_mistakes(const Image& yours, const Image& reference,
   return ranked;
 }
 
-std::optional<Candidate> recognised(const std::vector<Candidate>& ranked) {
+std::optional<Candidate> recognise(const std::vector<Candidate>& ranked) {
   if (ranked.empty()) return std::nullopt;
-  const double allowed = ranked[0].same_view ? nearer_than_reference : nearer_than_reference_elsewhere;
+  const double allowed = ranked[0].same_view ? max_nearness : max_nearness_other_view;
   if (nearness(ranked[0]) > allowed) return std::nullopt;
   if (ranked.size() > 1) {
     const double second = nearness(ranked[1]);
-    if (second < told_apart || nearness(ranked[0]) > nearer_than_second * second) return std::nullopt;
+    if (second < min_second_nearness || nearness(ranked[0]) > max_ratio_to_second * second) return std::nullopt;
   }
   return ranked[0];
 }

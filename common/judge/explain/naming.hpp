@@ -1,9 +1,8 @@
-// Which known mistake does a wrong answer look like?
+// Recognises known mistakes in wrong answers.
 //
-// The atlas of a step holds, for a case and a mistake, what a solution with that mistake draws: encoded to 8 bits, at
-// half size. An answer to the very case, from the same camera, is laid over each of these pictures. An answer to a case
-// whose numbers were drawn at random has no such picture; then what counts is what the mistake *does* to a pixel of a
-// given value, wherever on the screen that pixel is.
+// The atlas holds, for a case and a mistake, the picture that a solution with that mistake draws: encoded to 8 bits, at
+// half size. An answer from the same view is compared with each of these pictures, pixel by pixel. An answer from
+// another view is compared by the effect of a mistake: how it changes pixels of a given value, wherever they are.
 #pragma once
 
 #include <map>
@@ -21,57 +20,55 @@ namespace atelier::judge {
 struct AtlasPicture {
   std::string mistake;
   Image picture;
-  Image reference;        ///< the right picture beside it, in the same form
-  bool same_view = true;  ///< whether both were drawn with the numbers (camera, light ...) of the answer at hand
+  Image reference;        ///< the right picture, in the same form
+  bool same_view = true;  ///< whether both were drawn with the camera, light and settings of the answer
 };
 
-/// A picture in compared form as the atlas keeps it: box-filtered to half its size, rounded up, values 0..1. Data in
-/// other ranges are mapped by `reference`, channel by channel, so that its own range fills the middle half.
+/// Converts a picture from compared form to that of the atlas: box-filtered to half its size, rounded up, values 0..1.
+/// Data are mapped channel by channel, so that the reference's range fills the middle half of 0..1.
 Image make_atlas_picture(const Image& compared, const Image& reference_compared, Unit unit);
 
-// A wrong name is worse than none: it sends a student to search where nothing is wrong. The margins were chosen on nine
-// mistakes of one scene (tests/unit/judge/explain/naming.cpp). In the same view other spellings of a mistake come to
-// 0.004 at most, its nearest relative to 0.23, and the larger one of two mistakes made at once to 0.29. From eight
-// other cameras and lights every name given is right, and none is given when the true mistake is taken out of the
-// atlas, where its nearest relative comes to 0.43.
+// A wrong name is worse than none, because it misleads the student. The thresholds were chosen with nine mistakes of
+// one scene (tests/unit/judge/naming.cpp). In the same view other spellings of a mistake have a nearness of at most
+// 0.004, the most similar mistake has 0.23, and the larger one of two mistakes made at once has 0.29. From eight other
+// cameras and lights every recognised name is right, and nothing is recognised if the true mistake is removed from the
+// atlas; then the most similar one has 0.43.
 
-/// A name is given where the answer is at most this many times as far from the mistake as from the reference: the
-/// mistake explains nearly all, or from elsewhere most, of what is wrong.
-inline constexpr double nearer_than_reference = 0.2;
-inline constexpr double nearer_than_reference_elsewhere = 0.4;
-/// ... and at most this many times as far as from the second nearest mistake: what two mistakes do alike gets no name.
-inline constexpr double nearer_than_second = 0.75;
-/// ... and where the second nearest is not itself on the answer, up to this share of the reference's distance.
-inline constexpr double told_apart = 0.05;
+/// A mistake is recognised if its nearness (distance to it / distance to the reference) is at most this, so that it
+/// explains nearly all, or in another view most, of the difference,
+inline constexpr double max_nearness = 0.2;
+inline constexpr double max_nearness_other_view = 0.4;
+/// and at most this multiple of the second mistake's nearness, so that two similar mistakes are not confused,
+inline constexpr double max_ratio_to_second = 0.75;
+/// and if the second mistake's nearness is at least this, so that the answer does not match both.
+inline constexpr double min_second_nearness = 0.05;
 
-/// How far an answer lies from one mistake.
+/// The distance of an answer from one mistake.
 struct Candidate {
   std::string mistake;
-  double distance = 0;    ///< of the answer and the mistake's picture
-  double reference = 0;   ///< of the answer and the right picture, measured in the same way
-  bool same_view = true;  ///< which of the two ways it was
+  double distance = 0;    ///< between the answer and the mistake's picture
+  double reference = 0;   ///< between the answer and the right picture, in the same measure
+  bool same_view = true;  ///< true: overlaid_distance; false: effect_distance
 };
 
-/// All mistakes of the atlas, the nearest (by distance / reference) first. `yours` and `reference` are in the atlas'
-/// form.
+/// All mistakes of the atlas, sorted by nearness. `yours` and `reference` are in the atlas's form.
 std::vector<Candidate> rank_mistakes(const Image& yours, const Image& reference,
                                      const std::vector<AtlasPicture>& atlas);
 
-/// The first of `ranked` where the two margins above hold, or nothing.
-std::optional<Candidate> recognised(const std::vector<Candidate>& ranked);
+/// The first of `ranked` if it fulfils the conditions above, or nothing.
+std::optional<Candidate> recognise(const std::vector<Candidate>& ranked);
 
-/// The mistake whose numbers a probe returned: all within the tolerance, a NaN where it has a NaN, and no other
-/// mistake's.
+/// The mistake whose numbers a probe returned, all within the tolerance; nothing if there is none or more than one.
 std::optional<std::string> recognise_values(const std::vector<Numbers>& yours,
                                             const std::map<std::string, std::vector<Numbers>>& wrong_values,
                                             const JudgedCase& c);
 
-/// Sum over pixels of the largest channel difference beyond `dead_zone`, over the number of pixels.
+/// The mean over all pixels of the largest channel difference, less `dead_zone`.
 double overlaid_distance(const Image& a, const Image& b);
 
-/// How differently two pairs (right picture, wrong picture) behave: what the wrong one shows where the right one has a
-/// given value, channel by channel. The mean first Wasserstein distance of these distributions, in 0..1. The pairs may
-/// be of different sizes and views of one scene.
+/// Compares the effects of two pairs (right picture, wrong picture): the distribution of the difference for each
+/// channel and value of the right picture. Returns the mean first Wasserstein distance of these distributions, 0..1.
+/// The pairs may have different sizes and show different views of one scene.
 double effect_distance(const Image& right_a, const Image& wrong_a, const Image& right_b, const Image& wrong_b);
 
 }  // namespace atelier::judge

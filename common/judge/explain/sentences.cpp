@@ -12,10 +12,10 @@
 namespace atelier::judge {
 namespace {
 
-constexpr double most = 0.7;    // "most of them": enough that a look there is worth while
-constexpr double nearly = 0.8;  // "are too bright": so few exceptions that nobody would mention them
+constexpr double most = 0.7;    // the fraction for "most of them"
+constexpr double nearly = 0.8;  // the fraction for a general statement: "are too bright"
 
-/// What the pixels of an output are, as one would say it: "depth", "shadow factor".
+/// The quantity in an output's pixels: "depth", "shadow factor".
 std::string noun_of(const JudgedCase& c) {
   const std::string& output = c.ask.output;
   if (output == "uv" || output == "texcoord") return "texture coordinate";
@@ -24,11 +24,11 @@ std::string noun_of(const JudgedCase& c) {
   return output;
 }
 
-/// Which way the failing pixels are off: sums over them of the signed difference, and how many go up and down.
+/// The direction of the failing pixels' differences.
 struct Tendency {
-  std::array<double, 3> size{};  ///< mean absolute difference of red, green, blue
-  std::array<double, 3> signed_size{};
-  double up = 0, down = 0;  ///< shares of the failing pixels whose sum of channels is larger or smaller
+  std::array<double, 3> size{};         ///< mean absolute difference of red, green, blue
+  std::array<double, 3> signed_size{};  ///< mean signed difference
+  double up = 0, down = 0;  ///< fractions of the failing pixels whose sum of channels is too large, or too small
 };
 
 Tendency tendency_of(const Mask& over, const Image& yours, const Image& reference) {
@@ -49,7 +49,7 @@ Tendency tendency_of(const Mask& over, const Image& yours, const Image& referenc
   return t;
 }
 
-/// "too bright", "too dark", "too red", "short of blue", or empty where there is no one direction.
+/// "too bright", "too dark", "too red", "short of blue", or empty if there is no common direction.
 std::string colour_direction(const Tendency& t) {
   constexpr std::array names{"red", "green", "blue"};
   for (int k = 0; k < 3; ++k) {
@@ -102,7 +102,7 @@ std::string colour_failure(const Measurement& measured, const Image& yours, cons
 std::string data_failure(const Measurement& measured, const Image& yours, const Image& reference, const JudgedCase& c) {
   const std::string off = amount(measured.difference.worst_distance, c.unit);
   if (c.unit == Unit::degrees)
-    return fmt::format("at {} the {} points elsewhere, up to {} away", how_many(measured), noun_of(c), off);
+    return fmt::format("at {} the {} has a wrong direction, off by up to {}", how_many(measured), noun_of(c), off);
   const Tendency t = tendency_of(measured.difference.mask, yours, reference);
   return fmt::format("at {} the {} is {} by up to {}", how_many(measured), noun_of(c),
                      t.up >= nearly     ? "too large"
@@ -118,8 +118,8 @@ std::string sentence(std::string text) {
 
 }  // namespace
 
-std::string percent(double share) {
-  const double value = 100 * share;
+std::string percent(double fraction) {
+  const double value = 100 * fraction;
   if (value <= 0) return "0 %";
   if (value < 0.01) return "under 0.01 %";
   return value < 0.995 ? fmt::format("{:.2g} %", value) : fmt::format("{:.0f} %", value);
@@ -182,7 +182,7 @@ std::string describe_failure(const Measurement& measured, const Image& yours, co
   const Difference& found = measured.difference;
   const bool only_shifted = measured.shifted && found.blob == 0 && found.over <= effective_budget(c, measured.pixels);
   if (only_shifted)
-    return sentence(fmt::format("Pixel by pixel the picture is within {}, but all of it lies {}",
+    return sentence(fmt::format("Every pixel is within {}, but the whole picture is shifted by {}",
                                 amount(c.delta, c.unit), shift_words(measured.shift)));
   std::string text =
       is_colour(c.unit) ? colour_failure(measured, yours, reference, c) : data_failure(measured, yours, reference, c);
@@ -196,7 +196,7 @@ std::string describe_pass(const Measurement& measured, const JudgedCase& c) {
   if (c.profile == Profile::exact) return "Every pixel is equal to the reference, level by level.";
   const std::string largest = amount(found.worst_distance, c.unit), delta = amount(c.delta, c.unit);
   if (c.profile == Profile::robust)
-    return fmt::format("No solid area leaves the reference's neighbourhood by more than {}.", delta);
+    return fmt::format("No solid area is outside the range of the reference's neighbourhood by more than {}.", delta);
   if (found.over == 0) return fmt::format("No pixel is off by more than {} ({} is allowed).", largest, delta);
   return fmt::format("{} of {} pixels are off by more than {} ({} may be).", grouped(found.over),
                      grouped(measured.pixels), delta, grouped(effective_budget(c, measured.pixels)));

@@ -17,29 +17,30 @@
 namespace atelier::judge {
 namespace {
 
-constexpr int least_evidence = 2;      // numbers that an operation moves to where they are
-constexpr double rounding = 4e-6;      // of the largest number: an inverse rounds more than what was asked for
+constexpr int min_evidence = 2;        // numbers that the operation must change
+constexpr double rounding = 4e-6;      // of the largest number: an inverse has larger rounding errors
 constexpr double as_good = 0.1;        // tolerances: operations that differ by less fit equally well
-constexpr double unit_within = 1e-3;   // of the length of a unit vector
-constexpr double name_within = 1e-4;   // of a factor that has a name
-constexpr double least_change = 0.02;  // of a factor: nearer to 1 or -1 nobody forgot one
+constexpr double unit_within = 1e-3;   // allowed error of a unit vector's length
+constexpr double name_within = 1e-4;   // allowed relative error of a known factor
+constexpr double least_change = 0.02;  // a factor nearer to 1 or -1 is hardly a forgotten one
 constexpr std::array ordinals{"first", "second", "third", "fourth"};
 
-/// What came back where it is wrong, and what should have.
+/// A returned value and the expected one.
 struct Value {
   Numbers yours, expected;
 };
 
 struct Operation {
-  std::string name, what, hint;  ///< `what`: what comes back, after "returns"
+  std::string name, what, hint;  ///< `what` completes "FUNCTION returns ..."
   std::function<Numbers(const Value&)> apply;
-  int taken = 0;           ///< numbers in all, and
-  int taken_of_value = 0;  ///< numbers of each value, that the operation was read off from: they prove nothing
+  // How many numbers a parameter of the operation was derived from; these are no evidence.
+  int taken = 0;           ///< in total
+  int taken_of_value = 0;  ///< in each value
 };
 
 // --- Values ---
 
-/// Every matrix of `side` rows; where there are none, all numbers of every input.
+/// Splits results into values: matrices of `side` rows, or if `side` is 0, all numbers of each input.
 std::vector<Value> values_of(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected, int side) {
   std::vector<Value> values;
   for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -70,7 +71,7 @@ Numbers scaled(Numbers numbers, double factor) {
   return numbers;
 }
 
-/// The same numbers in another order: the n-th is the of(n)-th of `numbers`.
+/// The numbers in another order: element n is numbers[of(n)].
 Numbers reordered(const Numbers& numbers, const std::function<std::size_t(std::size_t)>& of) {
   Numbers result;
   for (std::size_t n = 0; n < numbers.size(); ++n) result.push_back(numbers[of(n)]);
@@ -98,16 +99,16 @@ void add_matrices(std::vector<Operation>& all, int side) {
         {name, what, hint, [=](const Value& v) { return columns_of(change(matrix_of(v.expected, side)), side); }});
   };
   whole("transposed", "the right matrix transposed",
-        "Rows stand where columns belong: m[3] is the fourth column, and a constructor fills the first column first.",
+        "Rows and columns are exchanged: m[3] is the fourth column, and a constructor fills the first column first.",
         [](const glm::dmat4& m) { return glm::transpose(m); });
   whole("inverse", "the inverse of the right matrix",
-        "From which space into which does the matrix lead? An angle or an offset of the wrong sign goes back, too.",
+        "Which space does the matrix transform from, and to which? A wrong sign of an angle or offset also inverts it.",
         [](const glm::dmat4& m) { return glm::inverse(m); });
   whole("inverse-transpose", "the inverse transpose of the right matrix",
-        "Normals want the inverse transpose; points and directions want the matrix itself.",
+        "Normals need the inverse transpose; points and directions need the matrix itself.",
         [](const glm::dmat4& m) { return glm::transpose(glm::inverse(m)); });
 
-  // Number k stands in column k / side and row k % side.
+  // Number k is in column k / side and row k % side.
   const auto row = [=](std::size_t k) { return int(k) % side; };
   const auto column = [=](std::size_t k) { return int(k) / side; };
   const auto lines = [&](const char* word, auto line_of, int step) {
@@ -158,20 +159,19 @@ void add_vectors(std::vector<Operation>& all, std::size_t size) {
                        }});
     }
   if (size == 4) {
-    const char* const hint = "The contract says in which order the four stand; for a quaternion many write w first.";
-    all.push_back({"w-first", "the right numbers in the order w, x, y, z, where x, y, z, w is asked for", hint,
+    const char* const hint = "The contract says the order of the four numbers; many texts put a quaternion's w first.";
+    all.push_back({"w-first", "the right numbers in the order w, x, y, z instead of x, y, z, w", hint,
                    [](const Value& v) { return reordered(v.expected, [](std::size_t k) { return (k + 3) % 4; }); }});
-    all.push_back({"w-last", "the right numbers in the order x, y, z, w, where w, x, y, z is asked for", hint,
+    all.push_back({"w-last", "the right numbers in the order x, y, z, w instead of w, x, y, z", hint,
                    [](const Value& v) { return reordered(v.expected, [](std::size_t k) { return (k + 1) % 4; }); }});
   }
-  all.push_back({"not-normalised", "the right direction, not normalised",
-                 "A direction is divided by its length at the end of what computes it.",
+  all.push_back({"not-normalised", "the right direction, not normalised", "Divide the direction by its length.",
                  [](const Value& v) {
                    const bool unit = std::abs(length(v.expected) - 1) < unit_within;
                    return unit ? scaled(v.expected, length(v.yours)) : v.expected;
                  },
                  0, 1});
-  all.push_back({"normalised", "the right direction, normalised", "The length counts here: do not divide by it.",
+  all.push_back({"normalised", "the right direction, normalised", "The length matters here: do not divide by it.",
                  [](const Value& v) {
                    return length(v.expected) > 0 ? scaled(v.expected, 1 / length(v.expected)) : v.expected;
                  }});
@@ -179,7 +179,7 @@ void add_vectors(std::vector<Operation>& all, std::size_t size) {
 
 // --- Any numbers ---
 
-/// Whether the right numbers are of different sizes: one that is always the same fits every factor and constant.
+/// Whether the expected numbers have different absolute values: a constant would fit any factor and any offset.
 bool vary(const std::vector<Value>& values) {
   const double first = std::abs(values.front().expected.front());
   for (const Value& value : values)
@@ -189,7 +189,7 @@ bool vary(const std::vector<Value>& values) {
 }
 
 void add_factor(std::vector<Operation>& all, const std::vector<Value>& values) {
-  double expected = 0, yours = 0;  // the largest number: the factor is read off where rounding matters least
+  double expected = 0, yours = 0;  // at the largest number, where rounding matters least
   for (const Value& value : values)
     for (std::size_t k = 0; k < value.expected.size(); ++k)
       if (std::abs(value.expected[k]) > std::abs(expected)) expected = value.expected[k], yours = value.yours[k];
@@ -198,7 +198,7 @@ void add_factor(std::vector<Operation>& all, const std::vector<Value>& values) {
   const std::string name = factor_name(factor, name_within);
   const bool angle = name == "pi/180" || name == "180/pi";
   all.push_back({"gain", fmt::format("{:.4g} times the right numbers{}", factor, name.empty() ? "" : " (" + name + ")"),
-                 angle ? "An angle is converted between degrees and radians once too often, or not at all."
+                 angle ? "An angle is converted between degrees and radians twice, or not at all."
                        : "Look for a factor that is missing or applied twice.",
                  [=](const Value& v) { return scaled(v.expected, factor); }, name.empty() ? 1 : 0});
 }
@@ -224,7 +224,7 @@ std::vector<Operation> operations_for(const std::vector<Value>& values, int side
   std::vector<Operation> all;
   if (side > 0) add_matrices(all, side);
   all.push_back({"negated", "the right numbers with the wrong sign",
-                 "Which end of the arrow is which? Look at the order of a difference or of a cross product.",
+                 "Check the order of a difference or of a cross product.",
                  [](const Value& v) { return scaled(v.expected, -1); }});
   if (side == 0 && alike && size >= 2 && size <= ordinals.size()) add_vectors(all, size);
   if (vary(values)) {
@@ -236,30 +236,29 @@ std::vector<Operation> operations_for(const std::vector<Value>& values, int side
 
 // --- The verdict ---
 
-/// How many tolerances the worst number of a value is off once the operation is taken into account; infinite where that
-/// is more than one.
+/// The largest error, in tolerances, of a returned value against the result of the operation; infinite if above one.
 double misfit(const Operation& operation, const Value& value, const Tolerance& tolerance) {
-  const Numbers would_be = operation.apply(value);
+  const Numbers predicted = operation.apply(value);
   double largest = 0, worst = 0;
-  for (double x : would_be) largest = std::max(largest, std::abs(x));
+  for (double x : predicted) largest = std::max(largest, std::abs(x));
   Tolerance loose = tolerance;
   loose.absolute += rounding * largest;
-  for (std::size_t k = 0; k < would_be.size(); ++k) {
-    const bool lost = std::isfinite(value.expected[k]) && !std::isfinite(would_be[k]);  // there is no inverse, say
-    const double times = times_tolerance(value.yours[k], would_be[k], loose);
+  for (std::size_t k = 0; k < predicted.size(); ++k) {
+    const bool lost = std::isfinite(value.expected[k]) && !std::isfinite(predicted[k]);  // no inverse, for example
+    const double times = times_tolerance(value.yours[k], predicted[k], loose);
     if (lost || times > 1) return std::numeric_limits<double>::infinity();
     worst = std::max(worst, times);
   }
   return worst;
 }
 
-/// How many numbers the operation moves away from what is expected, beyond those that it was read off from.
+/// How many numbers the operation changes beyond the tolerance, without those that its parameter was derived from.
 int evidence(const Operation& operation, const std::vector<Value>& values, const Tolerance& tolerance) {
   int all = -operation.taken;
   for (const Value& value : values) {
-    const Numbers would_be = operation.apply(value);
+    const Numbers predicted = operation.apply(value);
     int moved = 0;
-    for (std::size_t k = 0; k < would_be.size(); ++k) moved += !within(would_be[k], value.expected[k], tolerance);
+    for (std::size_t k = 0; k < predicted.size(); ++k) moved += !within(predicted[k], value.expected[k], tolerance);
     all += std::max(0, moved - operation.taken_of_value);
   }
   return all;
@@ -284,7 +283,7 @@ std::optional<Hypothesis> explain_values(const std::vector<Numbers>& yours, cons
   std::vector<std::pair<double, Operation>> fitting;
   for (Operation& operation : operations_for(wrong, side)) {
     const double worst = worst_misfit(operation, wrong, c.tolerance);
-    if (worst <= 1 && evidence(operation, wrong, c.tolerance) >= least_evidence)
+    if (worst <= 1 && evidence(operation, wrong, c.tolerance) >= min_evidence)
       fitting.push_back({worst, std::move(operation)});
   }
   if (fitting.empty()) return std::nullopt;

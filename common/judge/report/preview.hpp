@@ -1,4 +1,4 @@
-// One small picture in a fixed place, for an editor's preview: yours | reference | difference.
+// A small picture for an editor's preview: yours | reference | difference.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,10 @@
 
 namespace atelier::judge {
 
-/// Side by side: yours, the reference, the difference as heat colours; encoded. Throws Error where the two are of
-/// different sizes.
+/// Side by side: yours, the reference, the difference as a heat map; encoded. Throws Error if the sizes differ.
 Image preview_image(const Evidence& evidence);
 
-/// The same as a PNG. Throws Error naming the file where it cannot be written.
+/// Writes it as a PNG. Throws Error naming the file if it cannot be written.
 void write_preview(const std::filesystem::path& file, const Evidence& evidence);
 
 }  // namespace atelier::judge

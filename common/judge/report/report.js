@@ -1,7 +1,7 @@
 "use strict";
 const all = (selector, within = document) => [...within.querySelectorAll(selector)];
 
-// A link from the table, or from the terminal, opens the case that it leads to.
+// Opens the case that a link from the table or the terminal points to.
 function reveal() {
   const place = document.getElementById(decodeURIComponent(location.hash.slice(1)))?.closest("details");
   if (place) { place.open = true; place.scrollIntoView(); }
@@ -9,7 +9,7 @@ function reveal() {
 addEventListener("hashchange", reveal);
 reveal();
 
-// Paper cannot be clicked.
+// Open all cases for printing.
 addEventListener("beforeprint", () => all("details").forEach(d => { d.open = true; }));
 
 const filter = document.getElementById("filter");
@@ -19,18 +19,18 @@ filter.addEventListener("click", () => {
   filter.setAttribute("aria-pressed", String(on));
 });
 
-// Copying needs a secure page; where a browser refuses, the command can still be marked by hand.
+// Copying needs a secure context; if the browser refuses, select the command instead.
 for (const code of all("code.command")) {
   const button = document.createElement("button");
   button.textContent = "copy";
   button.addEventListener("click", async () => {
     try { await navigator.clipboard.writeText(code.textContent); button.textContent = "copied"; }
-    catch { getSelection().selectAllChildren(code); button.textContent = "marked"; }
+    catch { getSelection().selectAllChildren(code); button.textContent = "selected"; }
   });
   code.after(button);
 }
 
-// Reference on the left of the line, yours on the right; built from the pictures that the page has already.
+// Reference on the left of the line, yours on the right; reuses the page's pictures.
 for (const pictures of all(".pictures")) {
   const [reference, yours] = ["reference", "yours"].map(role => pictures.querySelector(`[data-role=${role}] img`));
   if (!reference || !yours || !pictures.querySelector("[data-role=difference]")) continue;
@@ -40,7 +40,7 @@ for (const pictures of all(".pictures")) {
   box.className = "compare";
   const range = document.createElement("input");
   Object.assign(range, {type: "range", min: 0, max: 100, step: 0.5, value: 50});
-  range.setAttribute("aria-label", "How much of the reference to show; the rest is yours");
+  range.setAttribute("aria-label", "How much of the reference to show");
   range.addEventListener("input", () => box.style.setProperty("--cut", range.value + "%"));
   const copies = [reference, yours].map(image => image.cloneNode());
   copies.forEach(copy => { copy.alt = ""; });
@@ -51,7 +51,7 @@ for (const pictures of all(".pictures")) {
   pictures.querySelector("[data-role=difference]").after(figure);
 }
 
-// One picture at full size; the arrow keys change it in place, so that what differs seems to move.
+// One picture at full size; the arrow keys replace it in the same place, so that differences seem to move.
 const viewer = document.getElementById("viewer");
 let shown = [], at = 0;
 function show(index) {

@@ -1,15 +1,15 @@
-// The style and the script of the HTML report, as text: a report is one file that needs nothing beside it.
+// The style and the script of the HTML report as text, since a report is one self-contained file.
 #pragma once
 
 #include <string_view>
 
 namespace atelier::judge {
 
-/// report.css: for light and dark screens and for paper.
+/// report.css: for light and dark screens and for printing.
 extern const std::string_view report_css;
 
-/// report.js: without it everything can be read; with it there are the slider, the full-size viewer with its arrow
-/// keys, the filter and copying of commands.
+/// report.js: adds the slider, the full-size viewer with arrow keys, the filter and copying of commands. The report is
+/// readable without it.
 extern const std::string_view report_script;
 
 }  // namespace atelier::judge

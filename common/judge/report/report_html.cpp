@@ -16,9 +16,9 @@
 namespace atelier::judge {
 namespace {
 
-constexpr int small_side = 256;  // smaller pictures are enlarged on the page: as sharp squares rather than a blur
+constexpr int small_side = 256;  // the page enlarges smaller pictures with sharp pixels
 
-/// The script's hash as a content security policy wants it: only this very script may run, whatever a text smuggles in.
+/// The script's hash for the content security policy, which allows only this script to run.
 std::string script_hash() {
   const std::string digits = sha256(report_script);
   std::vector<std::byte> bytes;
@@ -31,7 +31,7 @@ std::string status_label(Status status) {
   return fmt::format("<span class=\"status {}\">{}</span>", to_string(status), status_words(status));
 }
 
-/// A class for what the filter hides.
+/// The class of cases that the filter hides.
 const char* passed_class(const CaseResult& result) {
   return result.status == Status::passed ? " passed-case" : "";
 }
@@ -49,7 +49,7 @@ std::string picture_html(const ReportPicture& picture) {
 std::string remark_html(const Remark& remark) {
   const char* const looks = remark.label == "looks like" ? " class=\"looks\"" : "";
   std::string text = escape_markup(remark.text);
-  if (remark.label == "again") text = "<code class=\"command\">" + text + "</code>";
+  if (remark.label == "rerun") text = "<code class=\"command\">" + text + "</code>";
   return fmt::format("<dt{}>{}</dt><dd{}>{}</dd>\n", looks, remark.label, looks, text);
 }
 
@@ -67,7 +67,7 @@ std::string text_block(const char* label, const std::string& text, const char* k
   return fmt::format("<div class=\"soft\">{}</div><pre{}>{}</pre>\n", label, kind, escape_markup(text));
 }
 
-/// The names of a group's cases, each a place on the page of its own: "STEP.CASE" is linked to from elsewhere.
+/// The names of a group's cases, each with its anchor "STEP.CASE".
 std::string names_html(const StepResult& step, const CaseGroup& group) {
   std::string html = "<p class=\"soft names\">";
   for (const CaseResult* c : group)
@@ -76,7 +76,7 @@ std::string names_html(const StepResult& step, const CaseGroup& group) {
   return html + "</p>\n";
 }
 
-/// The place of one case, or of several that failed alike.
+/// One case, or several with the same failure.
 std::string group_html(const StepResult& step, const CaseGroup& group) {
   const CaseResult& first = *group.front();
   const bool several = group.size() > 1;
@@ -97,7 +97,7 @@ std::string group_html(const StepResult& step, const CaseGroup& group) {
     for (const ReportPicture& picture : pictures) html += picture_html(picture);
     html += "</div>\n";
   }
-  return html + text_block("What the program printed", output_of(group)) + "</div>\n</details>\n";
+  return html + text_block("Program output", output_of(group)) + "</div>\n</details>\n";
 }
 
 std::string step_html(const StepResult& step) {
@@ -106,15 +106,15 @@ std::string step_html(const StepResult& step) {
       "{}</span></h2>\n",
       escape_markup(step.title), escape_markup(step.step), score_text(step.score, step.max_score));
   if (!step.implementations.empty()) {
-    html += "<p class=\"soft\">Drawn with";
-    const char* separator = " ";
+    html += "<p class=\"soft\">Code used";
+    const char* separator = ": ";
     for (const auto& [of_step, who] : step.implementations) {
-      html += fmt::format("{}{}: {}", separator, escape_markup(of_step), escape_markup(who));
+      html += fmt::format("{}{} ({})", separator, escape_markup(of_step), escape_markup(who));
       separator = ", ";
     }
     html += fmt::format("; compared with {} references</p>\n", escape_markup(step.references));
   }
-  html += text_block("What the compiler said", step.build_log);
+  html += text_block("Compiler output", step.build_log);
   for (const CaseGroup& group : case_groups(step)) html += group_html(step, group);
   return html + "</section>\n";
 }
@@ -123,7 +123,7 @@ std::string table_html(const SubmissionResult& result) {
   std::string html =
       "<table>\n<thead><tr><th scope=\"col\">Case</th><th scope=\"col\" class=\"verdict\">Verdict</th><th "
       "scope=\"col\" class=\"reason\">"
-      "What was seen</th><th scope=\"col\" class=\"score\">Points</th></tr></thead>\n";
+      "Reason</th><th scope=\"col\" class=\"score\">Points</th></tr></thead>\n";
   for (const StepResult& step : result.steps) {
     html += fmt::format(
         "<tbody>\n<tr><th scope=\"rowgroup\" colspan=\"3\">{} <span class=\"soft mono\">{}</span></th>"
@@ -161,13 +161,13 @@ std::string header_html(const SubmissionResult& result) {
 
 std::string notes_html(const std::vector<std::string>& notes) {
   if (notes.empty()) return {};
-  std::string html = "<p class=\"soft\">Passed over in this submission:</p>\n<ul>\n";
+  std::string html = "<p class=\"soft\">Skipped in this submission:</p>\n<ul>\n";
   for (const std::string& note : notes) html += "<li>" + escape_markup(note) + "</li>\n";
   return html + "</ul>\n";
 }
 
 std::string footer_html(const Environment& environment) {
-  std::string html = "<footer>\n<div>Made with</div>\n<dl>\n";
+  std::string html = "<footer>\n<div>Environment</div>\n<dl>\n";
   for (const auto& [name, value] : environment) {
     html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_markup(name), escape_markup(value));
   }
@@ -184,8 +184,8 @@ std::string html_report(const SubmissionResult& result) {
       "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n",
       script_hash(), escape_markup(result.submission), score_text(result.score, result.max_score), report_css);
   html += header_html(result) +
-          "<main>\n<p class=\"tools\"><button id=\"filter\" aria-pressed=\"false\" hidden>Only what "
-          "did not pass</button></p>\n" +
+          "<main>\n<p class=\"tools\"><button id=\"filter\" aria-pressed=\"false\" hidden>Hide passed "
+          "cases</button></p>\n" +
           notes_html(result.notes) + table_html(result);
   for (const StepResult& step : result.steps) html += step_html(step);
   html += "</main>\n" + footer_html(result.environment);

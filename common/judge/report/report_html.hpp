@@ -1,4 +1,4 @@
-// The report that an instructor reads and a student keeps: one HTML file, pictures and all.
+// The HTML report: one file with all pictures.
 #pragma once
 
 #include <filesystem>
@@ -8,12 +8,12 @@
 
 namespace atelier::judge {
 
-/// A self-contained page: nothing is loaded from elsewhere, and its content security policy forbids it to be. Every
-/// text of the result is escaped (judge/report/report_words.hpp), student's output and build logs above all. Pictures
-/// are embedded PNGs; see report_pictures. Cases stand under the ids that case_anchor gives.
+/// A self-contained page: its content security policy forbids loading anything else. Every text of the result is
+/// escaped (escape_markup in report_words.hpp), since output and build logs are untrusted. Pictures are embedded PNGs;
+/// see report_pictures. The ids of cases come from case_anchor.
 std::string html_report(const SubmissionResult& result);
 
-/// Throws Error naming the file where it cannot be written; what stood there stays then.
+/// Throws Error naming the file if it cannot be written; the old file is then unchanged.
 void write_html_report(const std::filesystem::path& file, const SubmissionResult& result);
 
 }  // namespace atelier::judge

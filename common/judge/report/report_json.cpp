@@ -9,7 +9,7 @@
 namespace atelier::judge {
 namespace {
 
-using OrderedJson = nlohmann::ordered_json;  // members in the order in which people read them
+using OrderedJson = nlohmann::ordered_json;  // keeps the order of members, for human readers
 
 OrderedJson number(double value) {
   return OrderedJson(strict_json::from_number(value));

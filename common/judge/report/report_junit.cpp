@@ -28,7 +28,7 @@ std::string property(std::string_view name, std::string_view value) {
   return "      <property" + attribute("name", name).append(attribute("value", value)) + "/>\n";
 }
 
-/// What stands between the tags of a failed test: the verdict, then the numbers, then what the program said.
+/// The text of a failed test: the verdict, then the numbers, then the program's output.
 std::string explanation(const CaseResult& result) {
   std::string text = score_text(result.score, result.max_score) + "\n";
   for (const Remark& remark : remarks(result)) text += remark.label + ": " + remark.text + "\n";

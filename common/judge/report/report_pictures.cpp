@@ -16,7 +16,7 @@ bool finite(const Rgba& c) {
   return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
 }
 
-/// `image` with `low`..`high` as 0..1, opaque, the non-finite in magenta.
+/// `image` with `low`..`high` mapped to 0..1, opaque; pixels that are not finite are magenta.
 Image shown_between(Image image, float low, float high) {
   const float scale = 1 / (high - low);
   const auto mapped = [&](float v) { return std::clamp((v - low) * scale, 0.0f, 1.0f); };
@@ -32,7 +32,7 @@ Mask to_mask(const Image& over) {
   return mask;
 }
 
-/// The surroundings of the worst pixel, enlarged, with a black and white frame around that pixel.
+/// The area around the worst pixel, enlarged, with a black and white frame around that pixel.
 Image detail(const Image& image, const Worst& worst) {
   const Box box = box_around(image, {worst.x, worst.y}, detail_side, detail_side);
   Image enlarged = enlarge(crop(image, box), detail_zoom);
@@ -53,8 +53,9 @@ Image detail(const Image& image, const Worst& worst) {
   return enlarged;
 }
 
-/// The mistake's picture is kept small: enlarged by a whole factor it stands beside the others.
-Image beside(const Image& mistake, const Image& reference) {
+/// The atlas stores the mistake's picture at a smaller size: enlarges it by a whole factor to about the reference's
+/// size.
+Image enlarged_to(const Image& mistake, const Image& reference) {
   const int factor = std::max(1, reference.width() / mistake.width());
   return factor == 1 ? mistake : enlarge(mistake, factor);
 }
@@ -72,7 +73,7 @@ void add_errors(const CaseResult& result, const Displayed& shown, std::vector<Re
                       std::move(difference)});
   if (!evidence.flip.empty()) {
     pictures.push_back(
-        {"flip", "FLIP: what an eye notices", "FLIP error map for " + result.title, heat_map(evidence.flip)});
+        {"flip", "FLIP: the visible error", "FLIP error map for " + result.title, heat_map(evidence.flip)});
   }
   if (evidence.over.same_size(shown.reference)) {
     const Mask mask = to_mask(evidence.over);
@@ -93,7 +94,7 @@ void add_errors(const CaseResult& result, const Displayed& shown, std::vector<Re
 
 std::string range_note(const Displayed& shown) {
   if (shown.low == 0 && shown.high == 1) return {};
-  return fmt::format(" ({:.4g} is black, {:.4g} white)", shown.low, shown.high);
+  return fmt::format(" ({:.4g} is black, {:.4g} is white)", shown.low, shown.high);
 }
 
 }  // namespace
@@ -110,7 +111,7 @@ Displayed displayed(const Image& yours, const Image& reference) {
 
 Image difference_picture(const Image& yours, const Image& reference, float& largest) {
   Image errors(reference.width(), reference.height());
-  largest = 1.0f / 255;  // less is no difference that anybody sees
+  largest = 1.0f / 255;  // a smaller difference is invisible
   for (std::size_t i = 0; i < errors.pixels().size(); ++i) {
     const Rgba a = yours.pixels()[i], b = reference.pixels()[i];
     const float error = std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
@@ -131,8 +132,8 @@ std::vector<ReportPicture> report_pictures(const CaseResult& result) {
     if (shown.yours.same_size(shown.reference)) add_errors(result, shown, pictures);
     if (const auto& mistake = result.evidence->mistake; mistake && !mistake->empty()) {
       pictures.push_back({"mistake", "The mistake it looks like",
-                          "What the known mistake " + result.mistake.value_or("") + " draws for " + result.title,
-                          beside(shown_between(*mistake, shown.low, shown.high), shown.reference)});
+                          "The picture of the known mistake " + result.mistake.value_or("") + " for " + result.title,
+                          enlarged_to(shown_between(*mistake, shown.low, shown.high), shown.reference)});
     }
   }
   for (ReportPicture& picture : pictures) picture.pixels = shrink_to(picture.pixels, report_side);

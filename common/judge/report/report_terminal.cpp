@@ -15,7 +15,7 @@
 namespace atelier::judge {
 namespace {
 
-constexpr int label_width = 14;  // columns of the longest label, its indentation and a gap
+constexpr int label_width = 14;  // columns: indentation, longest label and a gap
 
 std::string_view variable(const char* name) {
   const char* const value = std::getenv(name);
@@ -47,7 +47,7 @@ const char* colour_of(Status status) {
     case Status::crashed:
     case Status::timeout:
     case Status::build_failed:
-      return "35";  // magenta: the program, rather than its answer
+      return "35";  // magenta: a failure of the program, not a wrong answer
   }
   return "0";
 }
@@ -60,7 +60,7 @@ std::string mark(Status status, const TerminalStyle& style) {
 
 // ---- the parts of a report
 
-/// The name of a case, as a link to its place in the report, or how many cases a group has.
+/// The name of a case, or the number of cases in a group, as a link to the HTML report.
 std::string group_name(const StepResult& step, const CaseGroup& group, int width, const TerminalStyle& style) {
   const std::string name = fitted(printable(group.size() > 1 ? cases_words(group) : group.front()->name), width);
   return linked(name, case_anchor(step, *group.front()), style) + std::string(std::size_t(width - columns(name)), ' ');
@@ -76,7 +76,7 @@ std::string reason_words(const CaseResult& result) {
   return result.status == Status::failed ? reason : status_words(result.status) + (reason.empty() ? "" : ": " + reason);
 }
 
-/// A pass needs no words beside its name.
+/// One line of the table; without a reason for a pass.
 std::string group_line(const StepResult& step, const CaseGroup& group, int name_width, int score_width,
                        const TerminalStyle& style) {
   const CaseResult& first = *group.front();
@@ -115,7 +115,7 @@ std::string explanation(const StepResult& step, const CaseGroup& group, const Te
   std::vector<Remark> said = remarks(group);
   if (several) said.insert(said.begin(), {"cases", case_names(group)});
   for (const Remark& remark : said) {
-    const bool verbatim = remark.label == "again";  // a command must be copied in one piece
+    const bool verbatim = remark.label == "rerun";  // never wrap a command, so that it can be copied
     const std::string words = printable(remark.text);
     text += painted(padded("  " + remark.label, label_width), dim, style) +
             (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";
@@ -123,7 +123,7 @@ std::string explanation(const StepResult& step, const CaseGroup& group, const Te
   if (!first.table.empty()) text += indented(printable(first.table, Layout::keep_lines), "    ");
   if (style.heat_maps && first.evidence) text += indented(ascii_heat_map(first.evidence->over), "    ");
   if (const std::string output = output_of(group); !output.empty()) {
-    text += painted("  the program said:", dim, style) + "\n";
+    text += painted("  program output:", dim, style) + "\n";
     text += indented(printable(output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
   }
   return text;
@@ -142,7 +142,7 @@ TerminalStyle terminal_style(int descriptor) {
     if (variable(name).empty()) continue;
     const std::string_view locale = variable(name);
     style.unicode = locale.find("UTF-8") != locale.npos || locale.find("utf8") != locale.npos;
-    break;  // the first that is set counts
+    break;  // the first variable that is set decides
   }
   winsize window{};
   if (::ioctl(descriptor, TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
@@ -153,7 +153,7 @@ TerminalStyle terminal_style(int descriptor) {
 std::string terminal_report(const StepResult& step, const TerminalStyle& style) {
   std::string text = step_table(step, style);
   if (!step.build_log.empty()) {
-    text += painted("  the compiler said:", dim, style) + "\n";
+    text += painted("  compiler output:", dim, style) + "\n";
     text += indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
   }
   for (const CaseGroup& group : case_groups(step))
@@ -164,7 +164,7 @@ std::string terminal_report(const StepResult& step, const TerminalStyle& style) 
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style) {
   std::string text;
   for (const StepResult& step : result.steps) text += terminal_report(step, style) + "\n";
-  for (const std::string& note : result.notes) text += "passed over: " + printable(note) + "\n";
+  for (const std::string& note : result.notes) text += "skipped: " + printable(note) + "\n";
   int passed = 0;
   std::size_t cases = 0;
   for (const StepResult& step : result.steps) passed += count(step, Status::passed), cases += step.cases.size();
@@ -176,7 +176,7 @@ std::string ascii_heat_map(const Image& errors, int columns_wanted) {
   if (errors.empty()) return {};
   constexpr std::string_view signs = " .:-=+*#%@";
   const int width = std::clamp(columns_wanted, 1, errors.width());
-  // Letters are about twice as tall as wide.
+  // Characters are about twice as tall as wide.
   const int height = std::clamp(int(double(errors.height()) * width / errors.width() / 2 + 0.5), 1, errors.height());
   std::vector<double> means;
   for (int row = 0; row < height; ++row) {

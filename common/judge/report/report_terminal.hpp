@@ -1,4 +1,4 @@
-// The report that a student reads first: a line a case, then for each failure what to know and what to do.
+// The terminal report: a line per case, then an explanation of each failure.
 #pragma once
 
 #include <string>
@@ -8,34 +8,33 @@
 
 namespace atelier::judge {
 
-/// What the reader's terminal can do. The default is a plain file: no escape sequence of any kind.
+/// What the terminal supports. The default is for a plain file: no escape sequences.
 struct TerminalStyle {
   bool colour = false;     ///< ANSI colours
-  bool unicode = false;    ///< marks and lines beyond ASCII
+  bool unicode = false;    ///< characters beyond ASCII
   int width = 100;         ///< columns, at least 40
-  bool heat_maps = false;  ///< a map of where each failing picture fails
-  std::string report_url;  ///< case names link to their places in the HTML report here (OSC 8); empty: no links
+  bool heat_maps = false;  ///< show a map of each picture's failing pixels
+  std::string report_url;  ///< the HTML report that case names link to (OSC 8); empty: no links
 };
 
-/// The style for a file descriptor and the environment: colour on a terminal unless NO_COLOR (no-color.org) is set to
-/// anything or TERM is "dumb"; unicode where the locale says UTF-8; the window's width. Links are the caller's to add,
-/// with `can_link`.
+/// The style for a file descriptor and the environment: colour on a terminal unless NO_COLOR (no-color.org) is not
+/// empty or TERM is "dumb"; unicode if the locale is UTF-8; the window's width. The caller sets `report_url`, if
+/// `can_link`.
 TerminalStyle terminal_style(int descriptor);
 
-/// Whether OSC-8 hyperlinks make sense: only on a terminal that is not "dumb".
+/// Whether to write OSC 8 hyperlinks: only on a terminal that is not "dumb".
 bool can_link(int descriptor);
 
-/// All steps: the tables, then the failures, then what was passed over, then the sum. Everything that came from outside
-/// is printable.
+/// All steps with their failures, then what was skipped, then the total. All untrusted text is made printable.
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style);
 
-/// One step: a line a case, with status, name, score and reason; then its failures. Cases without an answer for the
-/// same reason are told of together, once.
+/// One step: a line per case with status, name, score and reason; then its failures. Cases without an answer for the
+/// same reason are reported together.
 std::string terminal_report(const StepResult& step, const TerminalStyle& style);
 
-/// The red channel, 0..1, of an error image (a mask of failing pixels, or FLIP's) as text `columns` wide, framed: a
-/// darker sign is a larger mean over the cell, relative to the largest, and even one failing pixel shows as a dot. Rows
-/// are chosen so that the picture keeps its proportions in letters twice as tall as wide. Empty for an empty image.
+/// The red channel, 0..1, of an error image (a mask of failing pixels, or a FLIP map) as framed text, `columns` wide. A
+/// darker character is a larger mean over the cell, relative to the largest mean; even one failing pixel shows as a
+/// dot. The number of rows keeps the proportions for characters twice as tall as wide. Empty for an empty image.
 std::string ascii_heat_map(const Image& errors, int columns = 48);
 
 }  // namespace atelier::judge

@@ -29,7 +29,7 @@ std::string slug(std::string_view text) {
 }  // namespace
 
 std::string points_text(double points) {
-  // The small term keeps 0.29 (which is stored a little below) from being cut to 0.28.
+  // The small term prevents 0.29, whose floating-point value is slightly smaller, from becoming 0.28.
   const double hundredths = std::floor(points * 100 + 1e-6);
   std::string text = fmt::format("{:.2f}", hundredths / 100);
   while (text.back() == '0') text.pop_back();
@@ -58,10 +58,10 @@ std::vector<Remark> remarks(const CaseResult& result) {
     mistake = mistake.empty() ? *result.mistake_sentence : *result.mistake_sentence + " (" + mistake + ")";
   }
   std::vector<Remark> all = {
-      {"asked", result.asked},   {"seen", result.reason},
-      {"looks like", mistake},   {"where", result.worst ? worst_words(*result.worst) : ""},
-      {"credit", result.credit}, {"try next", result.hint},
-      {"again", result.command},
+      {"expected", result.asked}, {"found", result.reason},
+      {"looks like", mistake},    {"where", result.worst ? worst_words(*result.worst) : ""},
+      {"credit", result.credit},  {"try next", result.hint},
+      {"rerun", result.command},
   };
   std::erase_if(all, [](const Remark& remark) { return remark.text.empty(); });
   return all;
@@ -87,7 +87,7 @@ std::vector<Remark> remarks(const CaseGroup& group) {
   for (const CaseResult* result : group) {
     const std::vector<Remark> own = remarks(*result);
     std::erase_if(common, [&](const Remark& remark) {
-      return remark.label != "again" && std::none_of(own.begin(), own.end(), [&](const Remark& other) {
+      return remark.label != "rerun" && std::none_of(own.begin(), own.end(), [&](const Remark& other) {
                return other.label == remark.label && other.text == remark.text;
              });
     });

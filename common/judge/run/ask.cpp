@@ -9,9 +9,9 @@
 namespace atelier::judge {
 namespace {
 
-constexpr std::size_t most_bytes = 64 << 10;  ///< of a file of choices
+constexpr std::size_t max_bytes = 64 << 10;  ///< of a choices file
 
-/// Cases that are asked in one run, with their places in the whole list.
+/// Cases that are asked in one run, with their indices in the whole list.
 struct Part {
   std::vector<Case> asks;
   std::vector<std::size_t> places;
@@ -25,7 +25,7 @@ Choices choices_of(const RunSettings& settings, const std::string& step) {
   const std::string name = step + "/" + choices_file;
   const std::filesystem::path file = settings.implementations.find(name);
   if (file.empty()) throw Error(name + " is missing");
-  return read_choices(read_file(file, most_bytes), choices_file);
+  return read_choices(read_file(file, max_bytes), choices_file);
 }
 
 void run(const RunSettings& settings, const Part& part, std::vector<Answer>& answers, const OnAnswer& on_answer) {
@@ -61,7 +61,7 @@ std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& st
   counted.count = true;
   if (settings.solution) {
     counted.implementations = *settings.solution;
-    // Compiled shaders are machine code: none that the student's program has left behind.
+    // Do not share cached shaders with the student's program: they are machine code.
     if (!counted.shader_cache.empty()) counted.shader_cache /= "counted";
   }
   run(counted, chosen, answers, on_answer);

@@ -1,4 +1,4 @@
-// Asks a step program for cases as the judge knows them: what a student has chosen is filled in first.
+// Asks a step program for a judge's cases; fills in the student's choices first.
 #pragma once
 
 #include <string>
@@ -9,14 +9,13 @@
 
 namespace atelier::judge {
 
-/// As run_cases, one answer a case in their order. A case with a choice is asked with what NN-name/choices.txt on the
-/// search path of `settings` says, is counted, and is drawn by the code of settings.solution where that is known: the
-/// student's own program has then no say in what it costs. Where the file or a choice cannot be
-/// taken, the answer says why, and nothing is drawn.
+/// Like run_cases: one answer per case, in order. A case with a choice gets the settings of NN-name/choices.txt on the
+/// search path of `settings`, and its cost is counted. It is drawn with settings.solution if that is set, so that the
+/// student's code cannot influence the cost. If the file or a choice is invalid, the answer's error says why.
 std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& step,
                               const std::vector<JudgedCase>& cases, const OnAnswer& on_answer = {});
 
-/// The truths of those cases that have one to be compared with, drawn by the oracle; answers without pixels elsewhere.
+/// The ground truths of the cases with a choice, from the oracle; for other cases an answer without pixels.
 std::vector<Answer> ask_truths(const RunSettings& settings, const std::vector<JudgedCase>& cases);
 
 }  // namespace atelier::judge

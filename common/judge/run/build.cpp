@@ -54,14 +54,14 @@ const std::vector<std::string>& files_of(const StepFlags& flags, const std::stri
   throw Error(fmt::format("there is no step '{}'{}", step, suggestion(step, known)));
 }
 
-NotTaken missing_files(const StepFlags& flags, const std::string& step, const fs::path& sources) {
-  NotTaken missing;
+UnusableFiles missing_files(const StepFlags& flags, const std::string& step, const fs::path& sources) {
+  UnusableFiles missing;
   for (const std::string& name : files_of(flags, step))
-    if (const std::string why = why_not_taken(sources / name); !why.empty()) missing[name] = why;
+    if (const std::string why = why_unusable(sources / name); !why.empty()) missing[name] = why;
   return missing;
 }
 
-/// The includes that are not open to a step; the complaints, one a line.
+/// Error messages, one per line, for includes that are not allowed.
 std::string check_includes(const StepFlags& flags, const std::string& step, const fs::path& sources) {
   const auto headers = flags.headers.find(step);
   std::string log;
@@ -72,13 +72,13 @@ std::string check_includes(const StepFlags& flags, const std::string& step, cons
   return log;
 }
 
-/// An older library would be taken for what these files do.
+/// Otherwise an older library would be used.
 void remove_older(const fs::path& library) {
   std::error_code ignored;
   fs::remove(library, ignored);
 }
 
-/// English messages with plain quotes, whatever the user's language, so that reports agree.
+/// Compiler messages in English with plain quotes, whatever the user's locale, so that reports do not depend on it.
 std::map<std::string, std::string> compiler_environment() {
   std::map<std::string, std::string> environment = {{"LC_ALL", "C"}};
   for (const char* name : {"PATH", "HOME", "TMPDIR", "CCACHE_DIR"})
@@ -86,8 +86,8 @@ std::map<std::string, std::string> compiler_environment() {
   return environment;
 }
 
-/// Runs a compiler or linker in the folder of the sources; its words come back in `log`, prefixed with what went wrong
-/// where it did not just say so itself.
+/// Runs a compiler or linker in the folder of the sources. Its output goes to `log`, after a reason if it timed out,
+/// crashed or failed silently.
 bool run_tool(std::vector<std::string> arguments, const fs::path& folder, const std::string& task,
               milliseconds time_limit, std::string& log) {
   const Finished finished = run_process({.arguments = std::move(arguments),
@@ -97,11 +97,11 @@ bool run_tool(std::vector<std::string> arguments, const fs::path& folder, const 
                                          .output_limit = log_limit});
   log = printable(finished.output, Layout::keep_lines);
   if (finished.timed_out)
-    log = fmt::format("{}: took longer than {} s and was ended\n", task, time_limit.count() / 1000.0) + log;
+    log = fmt::format("{}: took longer than {} s and was killed\n", task, time_limit.count() / 1000.0) + log;
   else if (finished.signal != 0)
-    log = fmt::format("{}: the compiler was ended: {}\n", task, signal_name(finished.signal)) + log;
+    log = fmt::format("{}: the compiler crashed: {}\n", task, signal_name(finished.signal)) + log;
   else if (!finished.ok() && log.empty())
-    log = fmt::format("{}: failed with status {} and without a word\n", task, finished.exit_status);
+    log = fmt::format("{}: failed with status {} and no message\n", task, finished.exit_status);
   return finished.ok();
 }
 
@@ -109,14 +109,14 @@ void append(std::vector<std::string>& list, const std::vector<std::string>& more
   list.insert(list.end(), more.begin(), more.end());
 }
 
-/// How far one command got.
+/// The result of one command.
 struct Outcome {
   bool ok = false, fresh = false;
   std::string log;
 };
 
-/// The options of a compile, and the folder of the step's contract to be searched for "blinn_phong.hpp": a student's
-/// file stands beside its contract, a submission or a patched solution does not.
+/// The compile options, and the folder of the step's contract for #include "blinn_phong.hpp": a student's file is in
+/// the same folder as its contract, but a submission or a patched solution is not.
 std::vector<std::string> compile_options(const StepFlags& flags, const std::string& step) {
   std::vector<std::string> options = flags.compile;
   for (const std::string& option : flags.compile)
@@ -125,7 +125,7 @@ std::vector<std::string> compile_options(const StepFlags& flags, const std::stri
   return options;
 }
 
-/// What the compiler's own list of dependencies leaves out: the headers that the options include, precompiled or not.
+/// The headers in -include options and their precompiled forms, which the compiler's dependency list leaves out.
 std::vector<std::string> included_by_options(const StepFlags& flags) {
   std::vector<std::string> headers;
   for (std::size_t i = 1; i < flags.compile.size(); ++i)
@@ -135,7 +135,7 @@ std::vector<std::string> included_by_options(const StepFlags& flags) {
   return headers;
 }
 
-/// One .cpp file into one object.
+/// Compiles one .cpp file to one object.
 Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
                 const fs::path& objects, milliseconds time_limit) {
   const fs::path dependencies = objects / (source + ".d");
@@ -144,7 +144,7 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
   if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
 
-  require_space(objects, space_to_work);
+  require_space(objects, working_space);
   forget_record(recipe);
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
@@ -152,8 +152,7 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   outcome.ok = run_tool(recipe.command, sources, source, time_limit, outcome.log);
   if (!outcome.ok) return outcome;
 
-  // What was edited while the compiler ran is not what the object is made of: then no record, and the next build asks
-  // the compiler again.
+  // If an input was edited while the compiler ran, write no record, so that the next build compiles again.
   std::vector<std::string> read = included_by_options(flags);
   append(read, read_dependencies(dependencies));
   const Inputs inputs = fingerprints(read, sources);
@@ -166,7 +165,7 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   return outcome;
 }
 
-/// All .cpp files, two at a time: more would not help on the smallest machines that the course is taught on.
+/// Compiles all .cpp files, two at a time: the smallest machines have two cores.
 std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step, const fs::path& sources,
                                  const std::vector<std::string>& names, const fs::path& objects,
                                  milliseconds time_limit) {
@@ -182,7 +181,7 @@ std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step
   return done;
 }
 
-/// Links beside the library and renames: a program that has the old one loaded keeps it.
+/// Links to a temporary file and renames it, so that a running program keeps the old library.
 Outcome link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
              const fs::path& library, milliseconds time_limit) {
   Recipe recipe{.command = {flags.compiler}, .folder = objects, .product = library};
@@ -207,7 +206,7 @@ Outcome link(const StepFlags& flags, const std::vector<std::string>& names, cons
 }
 
 std::string bounded(const std::string& log) {
-  constexpr std::string_view cut = "\n(more was left out)\n";
+  constexpr std::string_view cut = "\n(the rest is left out)\n";
   return log.size() <= log_limit ? log : shorten(log, log_limit - cut.size()) + std::string(cut);
 }
 
@@ -231,14 +230,14 @@ StepFlags read_step_flags(const fs::path& file) {
   for (const auto& [step, names] : flags.files)
     for (const std::string& name : names)
       if (fs::path(name).filename() != name || name.front() == '.' || name.front() == '-')
-        throw Error(fmt::format("{}: files: {}: '{}' must be the plain name of a file", where, step, name));
+        throw Error(fmt::format("{}: files: {}: '{}' must be a file name without a folder", where, step, name));
   return flags;
 }
 
-Built not_built(const NotTaken& files) {
+Built not_built(const UnusableFiles& files) {
   Built built;
-  built.log = in_words(files) + ": the step is built from all its files.\n";
-  built.not_taken = files;
+  built.log = in_words(files) + ": all files of the step are needed.\n";
+  built.unusable = files;
   return built;
 }
 
@@ -247,9 +246,9 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
   const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
   std::error_code error;
   fs::create_directories(objects, error);
-  if (error) throw Error(fmt::format("{}: cannot be made: {}", objects.string(), error.message()));
-  const FolderLock lock(folder);  // `watch` and `check` may build the same step at once
-  if (const NotTaken missing = missing_files(flags, step, sources); !missing.empty()) {
+  if (error) throw Error(fmt::format("{}: cannot be created: {}", objects.string(), error.message()));
+  const FolderLock lock(folder);  // `watch` and `check` may build the same step at the same time
+  if (const UnusableFiles missing = missing_files(flags, step, sources); !missing.empty()) {
     remove_older(library);
     return not_built(missing);
   }
@@ -273,16 +272,16 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
   built.log = bounded(built.log);
   if (!built.ok) {
     remove_older(library);
-    require_space(folder, space_left);
-    // Compilers leave their own files there.
-    if (const fs::path theirs = fs::temp_directory_path(error); !error) require_space(theirs, space_left);
+    require_space(folder, min_free_space);
+    // Compilers write temporary files there.
+    if (const fs::path theirs = fs::temp_directory_path(error); !error) require_space(theirs, min_free_space);
   }
   return built;
 }
 
-NotTaken take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources,
-                         const fs::path& folder) {
-  const NotTaken missing = missing_files(flags, step, sources);
+UnusableFiles take_step_files(const StepFlags& flags, const std::string& step, const fs::path& sources,
+                              const fs::path& folder) {
+  const UnusableFiles missing = missing_files(flags, step, sources);
   for (const std::string& name : files_of(flags, step))
     if (!missing.contains(name)) write_file(folder / name, read_file(sources / name, source_limit));
   return missing;

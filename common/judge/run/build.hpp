@@ -1,14 +1,14 @@
-// Makes a step library out of a student's C++: checked, compiled file by file, linked, and nothing done twice.
+// Builds a step library from a student's C++: checks includes, compiles changed files and links.
 //
-// CMake writes BUILD/step_flags.json, so that a student's file is compiled just as the rest of the project is:
+// The flags come from BUILD/step_flags.json, which CMake writes:
 //
 //   {"compiler": "g++",
 //    "compiler_version": "GNU 12.2.0",
-//    "compile": ["-std=c++20", "-I...", "-include", "..."],                   of each file, the precompiled header too
-//    "link":    ["-shared", "-fuse-ld=mold"],                                 behind the objects
+//    "compile": ["-std=c++20", "-I...", "-include", "..."],                   for each file
+//    "link":    ["-shared", "-fuse-ld=mold"],                                 after the objects
 //    "titles":  {"02-blinn-phong": "Light and materials"},
 //    "files":   {"02-blinn-phong": ["blinn_phong.cpp", "blinn_phong.glsl"]},  what a student writes
-//    "headers": {"02-blinn-phong": ["02-blinn-phong/blinn_phong.hpp"]},       what its C++ may include, below an -I
+//    "headers": {"02-blinn-phong": ["02-blinn-phong/blinn_phong.hpp"]},       what its C++ may include
 //    "uses":    {"02-blinn-phong": ["01-transforms"]}}                        the earlier steps that it calls
 #pragma once
 
@@ -25,7 +25,7 @@ namespace atelier::judge {
 struct StepFlags {
   std::string compiler, compiler_version;
   std::vector<std::string> compile, link;
-  std::map<std::string, std::vector<std::string>> files;    ///< by step; plain names
+  std::map<std::string, std::vector<std::string>> files;    ///< by step; names without a folder
   std::map<std::string, std::vector<std::string>> headers;  ///< by step
   std::map<std::string, std::vector<std::string>> uses;     ///< by step
   std::map<std::string, std::string> titles;                ///< by step
@@ -36,31 +36,30 @@ StepFlags read_step_flags(const std::filesystem::path& file);
 
 struct Built {
   bool ok = false;
-  bool fresh = false;  ///< something was compiled or linked; false where all stood there already
-  std::string log;     ///< the compiler's and linker's words, warnings of earlier builds among them; at most log_limit
-  NotTaken not_taken;  ///< listed files without which nothing was compiled; `log` then says the same in words
+  bool fresh = false;      ///< something was compiled or linked; false if all was up to date
+  std::string log;         ///< compiler and linker output, with the warnings of earlier builds; at most log_limit
+  UnusableFiles unusable;  ///< unusable files, because of which nothing was compiled; `log` says the same in words
 };
 
 inline constexpr std::size_t log_limit = 20'000;  ///< bytes
 
-/// What comes of a step of which these files cannot be taken.
-Built not_built(const NotTaken& files);
+/// The result for a step with these unusable files.
+Built not_built(const UnusableFiles& files);
 
-/// Builds the step's listed .cpp files in `sources` into OUT/NN-name/libstep.so, which appears whole or not at all, and
-/// is taken away where the files do not build. A step without C++ needs no library and is ok as it stands.
+/// Builds the step's listed .cpp files in `sources` to OUT/NN-name/libstep.so, which is replaced atomically, and
+/// deleted if the build fails. A step without C++ needs no library, so it is ok.
 ///
-/// Not ok, with the reason in `log`: a listed file (shaders too) that cannot be taken (judge/run/source_file.hpp); an
-/// include that is not open to a step (judge/run/includes.hpp); what the compiler or linker refuses, or cannot do
-/// within `time_limit` for one file.
+/// Not ok, with the reason in `log`: a listed file (including shaders) is unusable (judge/run/source_file.hpp); an
+/// include is not allowed (judge/run/includes.hpp); the compiler or linker fails, or exceeds `time_limit` for one file.
 ///
-/// An object is made again when its source, a header that it includes, or a flag differs from what it was made of.
-/// Throws Error for an unknown step and where `out` cannot be written.
+/// Recompiles a file if its source, an included header or a flag has changed. Throws Error for an unknown step and if
+/// `out` cannot be written.
 Built build_step(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
                  const std::filesystem::path& out, std::chrono::milliseconds time_limit = std::chrono::seconds(60));
 
-/// Copies just the step's listed files from `sources` to `folder`, so that nothing else of a submission is ever read.
-/// Returns those that cannot be taken: they are left out.
-NotTaken take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
-                         const std::filesystem::path& folder);
+/// Copies only the step's listed files from `sources` to `folder`, so that no other file of a submission is ever read.
+/// Returns the unusable files, which are not copied.
+UnusableFiles take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
+                              const std::filesystem::path& folder);
 
 }  // namespace atelier::judge

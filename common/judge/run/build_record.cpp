@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr std::uintmax_t hashed_limit = 1 << 20;  ///< bytes; larger files are told apart by size and time
+constexpr std::uintmax_t hashed_limit = 1 << 20;  ///< bytes; larger files are identified by size and time
 
 fs::path record_of(const Recipe& recipe) {
   return recipe.product.string() + ".record";
@@ -56,7 +56,7 @@ std::optional<std::string> recorded_log(const Recipe& recipe) {
     });
     if (same) return record.at("log").get<std::string>();
   } catch (const json::exception&) {
-    // A record that cannot be read says nothing: the product is made again.
+    // An unreadable record counts as missing, so the product is made again.
   }
   return {};
 }

@@ -20,8 +20,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-/// A bool, a whole number, a number, a colour, or the name of a choice: what the program's setting then takes or
-/// refuses.
+/// A bool, an int, a real, a colour, or the name of a choice. The program checks later whether its setting takes it.
 SettingValue value_of(std::string_view text) {
   if (text == "on" || text == "true") return true;
   if (text == "off" || text == "false") return false;
@@ -33,8 +32,8 @@ SettingValue value_of(std::string_view text) {
   return std::string(text);
 }
 
-constexpr std::string_view of_names = "abcdefghijklmnopqrstuvwxyz0123456789-._";
-constexpr std::string_view of_values = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._,#";
+constexpr std::string_view name_characters = "abcdefghijklmnopqrstuvwxyz0123456789-._";
+constexpr std::string_view value_characters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._,#";
 
 bool consists_of(std::string_view text, std::string_view allowed) {
   return !text.empty() && text.size() <= 64 && text.find_first_not_of(allowed) == text.npos;
@@ -45,7 +44,7 @@ bool consists_of(std::string_view text, std::string_view allowed) {
 Choices read_choices(std::string_view text, const std::string& where) {
   Choices choices;
   int number = 0;
-  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the byte-order mark of some editors
+  if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);  // the byte-order mark that some editors write
   for (std::size_t begin = 0; begin < text.size();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     const std::string_view line = trimmed(text.substr(begin, end - begin));
@@ -57,8 +56,9 @@ Choices read_choices(std::string_view text, const std::string& where) {
     const std::string_view setting =
         colon < equals && equals != line.npos ? trimmed(line.substr(colon + 1, equals - colon - 1)) : "";
     const std::string_view value = equals == line.npos ? "" : trimmed(line.substr(equals + 1));
-    if (!consists_of(name, of_names) || !consists_of(setting, of_names) || !consists_of(value, of_values))
-      throw Error(fmt::format("{}:{}: '{}' is no choice; a line says CASE: SETTING = VALUE, the value without spaces",
+    if (!consists_of(name, name_characters) || !consists_of(setting, name_characters) ||
+        !consists_of(value, value_characters))
+      throw Error(fmt::format("{}:{}: '{}' is not a choice; write CASE: SETTING = VALUE, the value without spaces",
                               where, number, shorten(printable(line), 80)));
     if (!choices[std::string(name)].emplace(setting, value_of(value)).second)
       throw Error(fmt::format("{}:{}: {} is chosen twice for {}", where, number, setting, name));
@@ -70,14 +70,14 @@ Case with_choices(const JudgedCase& c, const Choices& choices) {
   const auto& known = c.choice->cases;
   for (const auto& [name, settings] : choices)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw Error(fmt::format("{}: '{}' is no case with a choice{}", choices_file, name, suggestion(name, known)));
+      throw Error(fmt::format("{}: '{}' is not a case with a choice{}", choices_file, name, suggestion(name, known)));
   Case ask = c.ask;
   const auto chosen = choices.find(c.ask.name);
   if (chosen == choices.end()) return ask;
   for (const auto& [setting, value] : chosen->second) {
     const auto& open = c.choice->settings;
     if (std::find(open.begin(), open.end(), setting) == open.end())
-      throw Error(fmt::format("{}: {}: {} cannot be chosen here; open are {}", choices_file, c.ask.name, setting,
+      throw Error(fmt::format("{}: {}: {} cannot be chosen here, only {}", choices_file, c.ask.name, setting,
                               fmt::join(open, ", ")));
     ask.settings[setting] = value;
   }

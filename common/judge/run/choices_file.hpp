@@ -1,6 +1,6 @@
 // choices.txt: the settings that a student chooses for budget cases.
 //
-//   // what follows two slashes at the beginning of a line is passed over
+//   // a line that begins with two slashes is a comment
 //   hall-choice: hall.segments = 24
 //   shine-choice: specular.power = stable
 //
@@ -18,17 +18,16 @@
 
 namespace atelier::judge {
 
-inline constexpr const char* choices_file = "choices.txt";  ///< below NN-name/, where the step has budget cases
+inline constexpr const char* choices_file = "choices.txt";  ///< in NN-name/, if the step has budget cases
 
-/// By case, by setting.
+/// Values by case and setting.
 using Choices = std::map<std::string, std::map<std::string, SettingValue>>;
 
-/// Throws Error naming the line of `where`, what stands there and what is allowed. A setting that is chosen twice for
-/// one case is refused.
+/// Throws Error naming `where`, the line, its text and what is allowed, and if a setting is chosen twice for one case.
 Choices read_choices(std::string_view text, const std::string& where);
 
-/// What the program is to be asked, with what was chosen for this case. Throws Error where a setting was chosen that
-/// the case does not leave open, and where something was chosen for a name that is no budget case of the step.
+/// The case for the program, with the choices for it filled in. Throws Error if a chosen setting is not one of the
+/// case's choices, or if a name in `choices` is not a budget case of the step.
 Case with_choices(const JudgedCase& c, const Choices& choices);
 
 }  // namespace atelier::judge

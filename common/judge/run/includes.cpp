@@ -12,7 +12,7 @@
 namespace atelier::judge {
 namespace {
 
-/// Computing, containers and printing for debugging. No files, threads, processes, clocks or loading of libraries.
+/// For computation, containers and debug output; not for files, threads, processes, clocks or loading libraries.
 constexpr std::array allowed_standard_headers = std::to_array<std::string_view>(
     {"algorithm",        "array",       "bit",      "bitset",      "cassert",       "cfloat",        "charconv",
      "cinttypes",        "climits",     "cmath",    "compare",     "complex",       "concepts",      "cstddef",
@@ -23,8 +23,8 @@ constexpr std::array allowed_standard_headers = std::to_array<std::string_view>(
      "string",           "string_view", "tuple",    "type_traits", "unordered_map", "unordered_set", "utility",
      "valarray",         "variant",     "vector"});
 
-/// Walks over a source text as translation phases 1 and 2 leave it ([lex.phases]): a backslash at the end of a line
-/// joins it with the next, except within a raw string, where the text stands as written.
+/// Reads a source text after translation phase 2 ([lex.phases]): a backslash at the end of a line joins it with the
+/// next, except within a raw string.
 class Cursor {
  public:
   explicit Cursor(std::string_view text) : text_(text) {}
@@ -45,7 +45,7 @@ class Cursor {
     for (std::size_t i = 0; i < word.size(); ++i) take();
     return true;
   }
-  /// Moves behind the next `end`, splices not joined; to the end of the text where there is none.
+  /// Moves after the next `end`, without joining lines; to the end of the text if there is none.
   void take_raw_until(std::string_view end) {
     const std::size_t found = text_.find(end, at_);
     move_to(found == std::string_view::npos ? text_.size() : found + end.size());
@@ -55,7 +55,7 @@ class Cursor {
  private:
   std::size_t skip_splices(std::size_t i) const {
     while (i < text_.size() && text_[i] == '\\') {
-      // GCC lets spaces stand between the backslash and the end of the line.
+      // GCC allows spaces between the backslash and the end of the line.
       std::size_t end = i + 1;
       while (end < text_.size() && (text_[end] == ' ' || text_[end] == '\t' || text_[end] == '\r')) ++end;
       if (end >= text_.size() || text_[end] != '\n') break;
@@ -79,7 +79,7 @@ class Cursor {
   int line_ = 1;
 };
 
-/// What an identifier may hold; GCC takes $ and any UTF-8 letter too.
+/// Characters of an identifier; GCC also allows $ and UTF-8 letters.
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '$' || static_cast<unsigned char>(c) >= 0x80;
 }
@@ -87,7 +87,7 @@ bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
 }
 
-/// Behind a comment that starts here; false where none does.
+/// Skips a comment that starts here; false if none does.
 bool skip_comment(Cursor& cursor) {
   if (cursor.take_if("//")) {
     while (!cursor.done() && cursor.peek() != '\n') cursor.take();
@@ -103,7 +103,8 @@ void skip_blanks_and_comments(Cursor& cursor) {
     if (is_blank(cursor.peek())) cursor.take();
 }
 
-/// Behind the literal whose opening quote was just taken. It ends with its line at the latest, as the compiler's does.
+/// Skips the rest of a literal after its opening quote. As for the compiler, it ends at the end of the line at the
+/// latest.
 void skip_literal(Cursor& cursor, char quote) {
   while (!cursor.done() && cursor.peek() != '\n') {
     const char c = cursor.take();
@@ -112,21 +113,21 @@ void skip_literal(Cursor& cursor, char quote) {
   }
 }
 
-/// Behind the raw string whose R" was just taken: delimiter ( ... ) delimiter ".
+/// Skips the rest of a raw string after R": delimiter ( ... ) delimiter ".
 void skip_raw_string(Cursor& cursor) {
   std::string end = ")";
   while (!cursor.done() && cursor.peek() != '(' && end.size() <= 16) end += cursor.take();
   cursor.take_raw_until(end + '"');
 }
 
-/// Whether `c` goes on with the number that `word` begins ([lex.ppnumber]): 1'000, 1.5, 1e+3.
+/// Whether `c` continues the number in `word` ([lex.ppnumber]): 1'000, 1.5, 1e+3.
 bool extends_number(const std::string& word, char c, char next) {
   if (word.empty() || !std::isdigit(static_cast<unsigned char>(word.front()))) return false;
   const char last = static_cast<char>(std::tolower(static_cast<unsigned char>(word.back())));
   return c == '.' || (c == '\'' && is_word(next)) || ((c == '+' || c == '-') && (last == 'e' || last == 'p'));
 }
 
-/// A name or number, and the raw string that it may be the prefix of: u8R"(...)".
+/// Skips a name or number, and a raw string that it is the prefix of: u8R"(...)".
 void skip_word(Cursor& cursor) {
   std::string word;
   while (is_word(cursor.peek()) || extends_number(word, cursor.peek(), cursor.peek(1))) word += cursor.take();
@@ -134,8 +135,8 @@ void skip_word(Cursor& cursor) {
   if (raw && cursor.take_if("\"")) skip_raw_string(cursor);
 }
 
-/// The header of an include whose directive was just taken: "<cmath>" with its delimiters, or a macro as it stands.
-/// What follows on the line stays: a comment may begin there.
+/// Reads the header after an include directive: "<cmath>" with its delimiters, or a macro as written. Stops before the
+/// rest of the line, where a comment may begin.
 std::string take_header(Cursor& cursor) {
   skip_blanks_and_comments(cursor);
   std::string header;
@@ -154,24 +155,23 @@ std::string take_header(Cursor& cursor) {
   return header;
 }
 
-/// Why an include that is not on the list is refused, and what to do in its place.
+/// Why an include is refused, and what to do instead.
 std::string why_refused(const std::string& target, const std::vector<std::string>& contract_headers) {
   const bool angled = target.size() > 2 && target.front() == '<' && target.back() == '>';
   const bool quoted = target.size() > 2 && target.front() == '"' && target.back() == '"';
-  if (!angled && !quoted) return "write the header's name itself, in <> or \"\"";
+  if (!angled && !quoted) return "write the header's name in <> or \"\"";
 
   const std::string name = target.substr(1, target.size() - 2);
   if (name.starts_with("glm/"))
-    return "what the steps teach (look_at, perspective, translate, rotate ...) stands ready-made in GLM's other "
-           "headers; "
+    return "GLM's other headers contain what the steps teach (look_at, perspective, translate, rotate ...); "
            "<glm/glm.hpp> has the vectors and matrices that you need";
   for (const std::string& header : contract_headers)
     if (header == name || header.ends_with("/" + name)) return fmt::format("write #include \"{}\"", header);
   if (angled)
-    return "only headers for computing, containers and printing are: a step needs no files, threads or other libraries";
+    return "only headers for computation, containers and printing are; a step needs no files, threads or libraries";
   return contract_headers.empty()
-             ? "a step is built from its own listed files alone"
-             : "a step is built from its own listed files and from \"" + join(contract_headers, "\", \"") + '"';
+             ? "a step is built only from its listed files"
+             : "a step is built only from its listed files and from \"" + join(contract_headers, "\", \"") + '"';
 }
 
 bool allowed(const std::string& target, const std::string& step, const std::vector<std::string>& contract_headers) {
@@ -189,9 +189,9 @@ bool allowed(const std::string& target, const std::string& step, const std::vect
 
 std::vector<Include> find_includes(std::string_view source) {
   std::vector<Include> includes;
-  if (source.starts_with("\xEF\xBB\xBF")) source.remove_prefix(3);  // a byte-order mark, which compilers pass over
+  if (source.starts_with("\xEF\xBB\xBF")) source.remove_prefix(3);  // a byte-order mark, which compilers ignore
   Cursor cursor(source);
-  bool line_start = true;  // only blanks and comments so far: a '#' here begins a directive
+  bool line_start = true;  // only blanks and comments so far, so a '#' begins a directive
   while (!cursor.done()) {
     const char c = cursor.peek();
     if (c == '/' && skip_comment(cursor)) continue;
@@ -219,7 +219,7 @@ std::string refused_includes(std::string_view source, const std::string& file, c
   std::string refused;
   for (const Include& include : find_includes(source))
     if (!allowed(include.target, step, contract_headers))
-      refused += fmt::format("{}:{}: #include {} is not open to a step: {}\n", file, include.line,
+      refused += fmt::format("{}:{}: #include {} is not allowed in a step: {}\n", file, include.line,
                              shorten(printable(include.target), 200), why_refused(include.target, contract_headers));
   return refused;
 }

@@ -1,8 +1,8 @@
-// What a student's C++ file may include: its contract headers, <glm/glm.hpp> and the plain parts of the standard
+// Checks what a student's C++ file includes: allowed are its contract headers, <glm/glm.hpp> and parts of the standard
 // library.
 //
-// A step asks for look_at to be written; <glm/gtc/matrix_transform.hpp> has it ready. The list keeps such short cuts
-// out, and says so before the compiler runs. It is a rule of the course, not a wall: the wall is the sandbox.
+// A student must write look_at, for example, but <glm/gtc/matrix_transform.hpp> already has it. The check refuses such
+// short cuts before the compiler runs. It is a rule of the course, not a security measure.
 #pragma once
 
 #include <string>
@@ -11,19 +11,18 @@
 
 namespace atelier::judge {
 
-/// One #include as a compiler would see it: not in a comment, a string or a raw string, found through line splices and
-/// digraphs.
+/// One #include as the compiler sees it: not in a comment, string or raw string; also with line splices and digraphs.
 struct Include {
   int line = 0;        ///< of the '#', from 1
   std::string target;  ///< with its delimiters: "<cmath>" or "\"02-blinn-phong/blinn_phong.hpp\""; a macro as written
 };
 
-/// All includes of a source text, #include_next and #import among them, in order.
+/// All includes of a source text in order, also #include_next, #import and #embed.
 std::vector<Include> find_includes(std::string_view source);
 
-/// One line "FILE:LINE: #include X is not open to a step: why" for every include of `source` that is not among
-/// `contract_headers` ("02-blinn-phong/blinn_phong.hpp"; those of `step` itself also without the folder) nor on the
-/// list; empty where all are.
+/// A line "FILE:LINE: #include X is not allowed in a step: REASON" for every include of `source` that is neither one of
+/// `contract_headers` ("02-blinn-phong/blinn_phong.hpp"; those of `step` also without the folder) nor an allowed
+/// library header. Empty if all are allowed.
 std::string refused_includes(std::string_view source, const std::string& file, const std::string& step,
                              const std::vector<std::string>& contract_headers);
 

@@ -8,7 +8,7 @@
 #include "judge/run/runner.hpp"
 
 namespace atelier::judge {
-bool bends_the_driver(const std::string& variable) {
+bool affects_driver(const std::string& variable) {
   constexpr const char* prefixes[] = {"LP_", "GALLIUM_", "GALLIVM_", "MESA_", "LIBGL_", "LD_", "LC_"};
   return std::any_of(std::begin(prefixes), std::end(prefixes),
                      [&](const char* prefix) { return variable.starts_with(prefix); });
@@ -16,7 +16,7 @@ bool bends_the_driver(const std::string& variable) {
 
 std::map<std::string, std::string> program_environment(const RunSettings& settings) {
   std::map<std::string, std::string> environment = own_environment();
-  std::erase_if(environment, [](const auto& variable) { return bends_the_driver(variable.first); });
+  std::erase_if(environment, [](const auto& variable) { return affects_driver(variable.first); });
   environment["LANG"] = "C";
   environment["LP_NUM_THREADS"] = std::to_string(settings.driver_threads);
   // Without LLVM's optimisation passes llvmpipe compiles shaders in half the time, and draws the same bits.
@@ -25,7 +25,7 @@ std::map<std::string, std::string> program_environment(const RunSettings& settin
     environment["MESA_SHADER_CACHE_DISABLE"] = "true";
   else
     environment["MESA_SHADER_CACHE_DIR"] = std::filesystem::absolute(settings.shader_cache).string();
-  // A program built with sanitizers would exit by itself: what they find is to count as the crash that it is.
+  // Sanitizers exit by default; make them abort, so that their findings count as crashes.
   for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS"}) environment.try_emplace(name, "abort_on_error=1");
   for (const auto& [name, value] : settings.environment) environment[name] = value;
   return environment;

@@ -22,9 +22,9 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-/// How often we look for the end of a program whose pipes do not tell of it: seldom where a child of its own holds them
-/// open, often where they are closed, for then it is about to end.
-constexpr milliseconds seldom{20}, often{1};
+/// How often to poll for the end of a program. Usually its closing pipes report it; not if its own child holds them
+/// open, which is rare. If a pipe is closed, the program is about to end, so poll fast.
+constexpr milliseconds slow_poll{20}, fast_poll{1};
 
 void check(const RunSettings& settings, const std::vector<Case>& cases) {
   const auto in_range = [](const char* what, auto value, auto low, auto high) {
@@ -35,26 +35,26 @@ void check(const RunSettings& settings, const std::vector<Case>& cases) {
   in_range("driver threads", settings.driver_threads, 0, 32);
   in_range("time limit of a case in milliseconds", settings.case_limit.count(), 1, 86'400'000);
   in_range("time limit of the start in milliseconds", settings.start_limit.count(), 1, 86'400'000);
-  in_range("time-outs", settings.most_time_outs, 0, 1'000'000);
+  in_range("time-outs", settings.max_time_outs, 0, 1'000'000);
   constexpr const char* kinds[] = {"", "osmesa", "egl", "window"};
   if (std::find(std::begin(kinds), std::end(kinds), settings.context) == std::end(kinds))
     throw Error(
         fmt::format("context: '{}' is not allowed; it takes osmesa, egl, window, or nothing", settings.context));
   std::set<std::string> names;
   for (const Case& c : cases)
-    if (!names.insert(c.name).second) throw Error(fmt::format("case '{}' is there twice", c.name));
+    if (!names.insert(c.name).second) throw Error(fmt::format("case '{}' appears twice", c.name));
 }
 
-/// Sleeps until a program has something to tell, a limit is reached, or it is time for a look.
+/// Waits until a program has written something, a time limit is reached, or the next poll is due.
 void wait_for_any(const std::vector<std::unique_ptr<Shard>>& shards) {
   std::vector<pollfd> pipes;
   const auto now = Clock::now();
-  auto until = now + seldom;
+  auto until = now + slow_poll;
   for (const auto& shard : shards) {
     if (shard->done()) continue;
     for (const int pipe : {shard->worker().progress(), shard->worker().output()}) {
-      pipes.push_back({pipe, POLLIN, 0});  // poll passes over -1
-      if (pipe < 0) until = std::min(until, now + often);
+      pipes.push_back({pipe, POLLIN, 0});  // poll ignores -1
+      if (pipe < 0) until = std::min(until, now + fast_poll);
     }
     until = std::min(until, shard->deadline());
   }
@@ -62,12 +62,12 @@ void wait_for_any(const std::vector<std::unique_ptr<Shard>>& shards) {
   ::poll(pipes.data(), pipes.size(), static_cast<int>(std::max(left, milliseconds(0)).count()));
 }
 
-/// One shard for each of at most `workers` processes, none of them empty. Neighbours with the same scene stay together:
-/// the first makes the scene and compiles its shaders, which takes about three times as long as to draw it once more.
-/// But only so far, for the processes are to end together.
-std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const std::vector<std::size_t>& order,
-                                          std::size_t workers) {
-  constexpr int first_of_scene = 3, one_more = 1, most_ahead = 6;  // of the shard that has least to do
+/// Distributes the cases to at most `workers` shards, none of them empty. Consecutive cases with the same scene stay
+/// together, because the first case of a scene takes about three times as long as a further one: it makes the scene and
+/// compiles its shaders. But no shard may get far ahead of the one with the least work, so that all end together.
+std::vector<std::deque<std::size_t>> distribute(const std::vector<Case>& cases, const std::vector<std::size_t>& order,
+                                                std::size_t workers) {
+  constexpr int first_of_scene = 3, one_more = 1, max_ahead = 6;
   struct Load {
     std::deque<std::size_t> cases;
     int work = 0;
@@ -80,7 +80,7 @@ std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const 
   for (const std::size_t index : order) {
     const auto least =
         std::min_element(loads.begin(), loads.end(), [](const Load& a, const Load& b) { return a.work < b.work; });
-    const bool stays = last && ends_with_scene_of(*last, index) && last->work < least->work + most_ahead &&
+    const bool stays = last && ends_with_scene_of(*last, index) && last->work < least->work + max_ahead &&
                        last->cases.size() * loads.size() < cases.size();
     if (!stays) last = &*least;
     last->work += ends_with_scene_of(*last, index) ? one_more : first_of_scene;
@@ -94,11 +94,11 @@ std::vector<std::deque<std::size_t>> deal(const std::vector<Case>& cases, const 
 
 }  // namespace
 
-std::vector<std::size_t> asking_order(std::size_t count, std::optional<std::uint64_t> seed) {
+std::vector<std::size_t> case_order(std::size_t count, std::optional<std::uint64_t> seed) {
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
   if (!seed) return order;
-  // Fisher and Yates' shuffle by hand: std::shuffle draws differently in every standard library.
+  // Our own Fisher-Yates shuffle: the result of std::shuffle depends on the standard library.
   std::mt19937_64 random(*seed);
   for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   return order;
@@ -109,7 +109,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
   if (!settings.shader_cache.empty()) {
     std::error_code error;
     fs::create_directories(settings.shader_cache, error);
-    if (error) throw Error(fmt::format("{}: cannot be made: {}", settings.shader_cache.string(), error.message()));
+    if (error) throw Error(fmt::format("{}: cannot be created: {}", settings.shader_cache.string(), error.message()));
   }
   std::vector<Answer> answers(cases.size());
   const auto deliver = [&](std::size_t index, Answer answer) {
@@ -118,9 +118,9 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
   };
 
   const auto indices =
-      deal(cases, asking_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
+      distribute(cases, case_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
   const TemporaryFolder folder("atelier-run");
-  require_space(folder.path(), space_to_work);
+  require_space(folder.path(), working_space);
   int time_outs = 0;
   std::vector<std::unique_ptr<Shard>> shards;
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -134,7 +134,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
       if (!shard->done()) shard->advance();
   }
   const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
-  if (!std::all_of(answers.begin(), answers.end(), is_normal)) require_space(folder.path(), space_left);
+  if (!std::all_of(answers.begin(), answers.end(), is_normal)) require_space(folder.path(), min_free_space);
   return answers;
 }
 

@@ -1,13 +1,13 @@
-// Asks a step program for its cases, and comes back with an answer for each, whatever the program does.
+// Runs a step program on cases and returns an answer for each, whatever the program does.
 //
 //   PROGRAM --cases JOB --out DIR --implementations A:B [--context KIND] --progress 3
 //
-// JOB holds what is asked, never what is thought of the answer. On the progress pipe the program writes "begin NAME"
-// before a case and "end NAME" behind it; its answers are files in DIR (case/exchange.hpp). One process answers all
-// cases of its share in order. A case that crashes it or lasts too long is given up, and a new process goes on with the
+// JOB contains the cases without the judge's members. On the progress pipe the program writes "begin NAME" before a
+// case and "end NAME" after it; its answers are files in DIR (case/exchange.hpp). One process answers all cases of its
+// shard in order. If a case crashes it or takes too long, that case has no answer, and a new process continues with the
 // rest.
 //
-// Nothing that the program says is believed: a lie on the pipe is passed over, and costs the liar its own answer.
+// The program is not trusted: invalid messages on the pipe are ignored, and can only cost the program's own answers.
 #pragma once
 
 #include <chrono>
@@ -29,55 +29,54 @@ namespace atelier::judge {
 struct RunSettings {
   std::filesystem::path program;  ///< BIN/NN-name
   Implementations implementations;
-  std::optional<Implementations> solution;  ///< whose code draws what is counted (judge/run/ask.hpp); none: the same
-  bool count = false;                       ///< also ask what each picture has cost, by --stats
-  bool truth = false;                       ///< ask for the oracle's pictures, by --truth
-  std::string context;                      ///< "osmesa", "egl" or "window"; empty: what make_headless_context() takes
-  int workers = 2;                          ///< processes at a time, 1..64; no more than there are cases are started
-  std::optional<std::uint64_t> shuffle;     ///< a seed: ask in an order drawn from it, not as listed
-  std::chrono::milliseconds case_limit{10'000};   ///< wall clock of one case; then the program is killed
-  std::chrono::milliseconds start_limit{10'000};  ///< wall clock until the first case begins
-  /// Time-outs, in all cases together, after which no further case is asked; 0: no such limit. One may be bad luck on a
-  /// busy machine and a second one the same slow function; with three at the full limit of a case each, what hangs is
-  /// the code, and the other cases would only make everybody wait: seven minutes for 41 cases. Crashes are not counted:
-  /// starting a program anew costs less than a tenth of a second.
-  int most_time_outs = 3;
-  int driver_threads = 0;                          ///< llvmpipe's own threads, 0..32: 0 draws in the calling thread
-  std::filesystem::path shader_cache;              ///< the driver's, made where missing; empty: none
-  std::map<std::string, std::string> environment;  ///< variables set beside, and last of all
-  std::function<bool()> interrupted;               ///< asked every few milliseconds: whether to stop; empty: never
-  std::size_t output_limit = 8 << 10;              ///< bytes kept of what the program prints around one case
+  std::optional<Implementations> solution;  ///< the code for counted cases (judge/run/ask.hpp); none: implementations
+  bool count = false;                       ///< also count each picture's cost, with --stats
+  bool truth = false;                       ///< ask for the oracle's pictures, with --truth
+  std::string context;                      ///< "osmesa", "egl" or "window"; empty: the default of the program
+  int workers = 2;                          ///< processes at a time, 1..64; at most one per case is started
+  std::optional<std::uint64_t> shuffle;     ///< seed of a random order of the cases; none: as listed
+  std::chrono::milliseconds case_limit{10'000};   ///< wall-clock time of one case; then the program is killed
+  std::chrono::milliseconds start_limit{10'000};  ///< wall-clock time until the first case begins
+  /// After this many time-outs in all cases together no further case is asked; 0: no limit. One or two can have other
+  /// reasons, such as a busy machine; after three the code itself surely hangs, and waiting for every other case would
+  /// take minutes. Crashes do not count: restarting a program takes less than a tenth of a second.
+  int max_time_outs = 3;
+  int driver_threads = 0;                          ///< threads of llvmpipe, 0..32; 0 draws in the calling thread
+  std::filesystem::path shader_cache;              ///< the driver's; created if missing; empty: none
+  std::map<std::string, std::string> environment;  ///< additional variables, which override all others
+  std::function<bool()> interrupted;               ///< called every few milliseconds; true stops the run; empty: never
+  std::size_t output_limit = 8 << 10;              ///< bytes kept of the program's output during one case
 };
 
-/// Thrown where RunSettings::interrupted said so: the programs have been ended, and there are no answers.
+/// Thrown if RunSettings::interrupted returned true: the programs were killed, and there are no answers.
 struct Interrupted : std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-/// Called in the calling thread as each answer comes in, with the case's place in the list.
+/// Called in the calling thread when an answer arrives, with the case's index.
 using OnAnswer = std::function<void(std::size_t, const Answer&)>;
 
-/// One answer a case, in the order of `cases`, whatever order they were asked in:
-/// - normally: "end" came, and the file that the case asks for could be read.
-/// - missing: the program refused the case, left no readable file, exited by itself in the middle, or never began:
-/// `error`
-///   says which. A program that exits with status 2 before its first case has its sentence in the answer of every case.
-/// - crashed, timeout: a signal or a limit ended the program in this case, or before it began any. What the student's
-///   code threw is a crash of this case too, and `error` says what it was; the program goes on with the next.
-/// - timeout too where the case was not asked any more, after settings.most_time_outs; `error` says so.
-/// Throws Error where a setting is out of range, a name stands twice, or the program cannot be started at all;
-/// Interrupted where `settings` says so.
+/// One answer per case, in the order of `cases`, whatever order they were asked in:
+/// - normally: the program reported the end, and its file could be read.
+/// - missing: the program refused the case, left no readable file, or exited during the case or before any; `error`
+///   says which. If it exits with an error before its first case, every answer has its message.
+/// - crashed: a signal ended the program during this case or before any, or the student's code threw an exception;
+///   `error` says which. After an exception the program continues with the next case.
+/// - timeout: a limit ended the program, or the case was not asked because of settings.max_time_outs; `error` says
+///   which. Throws Error if a setting is out of range, a name appears twice, or the program cannot be started;
+///   Interrupted if settings.interrupted returns true.
 std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Case>& cases,
                               const OnAnswer& on_answer = {});
 
-/// Whether a variable of the environment changes what a driver draws or says of itself.
-bool bends_the_driver(const std::string& variable);
+/// Whether an environment variable affects the driver, the loader or the locale: LP_*, GALLIUM_*, GALLIVM_*, MESA_*,
+/// LIBGL_*, LD_*, LC_*.
+bool affects_driver(const std::string& variable);
 
-/// The environment that a step program gets: ours without what bends a driver or the loader (LP_*, GALLIUM_*,
-/// GALLIVM_*, MESA_*, LIBGL_*, LD_*, LC_*), and then set in full: the same picture comes out whoever runs the judge.
+/// The environment of a step program: ours without the variables above, plus fixed values for the driver. So the
+/// pictures do not depend on who runs the judge.
 std::map<std::string, std::string> program_environment(const RunSettings& settings);
 
-/// The order in which `count` cases are asked: as listed, or drawn from a seed, the same on every machine.
-std::vector<std::size_t> asking_order(std::size_t count, std::optional<std::uint64_t> seed);
+/// The order in which `count` cases are asked: as listed, or shuffled with a seed, the same on every machine.
+std::vector<std::size_t> case_order(std::size_t count, std::optional<std::uint64_t> seed);
 
 }  // namespace atelier::judge

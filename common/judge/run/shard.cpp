@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using Ended = Answer::Ended;
 
-/// How long a program may take to leave once its last case has ended. Its answers are safe by then.
-constexpr milliseconds leave_limit{2'000};
-constexpr std::size_t longest_tail = 1024;  ///< bytes: an error is one line
+/// How long a program may take to exit after its last case. Its answers have been read by then.
+constexpr milliseconds exit_limit{2'000};
+constexpr std::size_t max_tail = 1024;  ///< bytes: an error message is one line
 
-/// "the program was ended: segmentation fault (SIGSEGV)"
+/// "the program was ended by a signal: segmentation fault (SIGSEGV)"
 std::string in_words(const Exit& exit) {
   return exit.signal != 0 ? fmt::format("the program was ended by a signal: {}", signal_name(exit.signal))
-                          : fmt::format("the program ended itself with status {}", exit.status);
+                          : fmt::format("the program exited with status {}", exit.status);
 }
 
-/// What a program says before it ends: its last line that begins with "error: ", and its last line of all.
+/// The last lines that a program printed: the last one that begins with "error: ", and the very last one.
 struct LastWords {
   std::string error, line;
 };
@@ -47,8 +47,8 @@ LastWords last_words(const std::string& output) {
   return last;
 }
 
-/// Reads what a program left for a case that it has ended. Each file is read once and then removed, so that a long list
-/// of large pictures does not fill the disk.
+/// Reads a program's answer to a case. Removes the picture afterwards, so that many large pictures do not fill the
+/// disk.
 Answer read_answer(const Case& c, const fs::path& folder, bool counted) {
   Answer answer;
   const fs::path pixels = folder / (c.name + ".pixels"), values = folder / (c.name + ".values");
@@ -92,12 +92,12 @@ Shard::Shard(const RunSettings& settings, const std::vector<Case>& cases, std::d
   start();
 }
 
-/// Starts a process on what is waiting, in a folder of its own: what a crashed one left lying there is nobody's answer.
+/// Starts a process for the waiting cases, in a new folder, so that files of a crashed process are not read as answers.
 void Shard::start() {
   const fs::path folder = folder_ / std::to_string(++processes_), out = folder / "out", job = folder / "job.json";
   std::error_code error;
   fs::create_directories(out, error);
-  if (error) throw Error(fmt::format("{}: cannot be made: {}", out.string(), error.message()));
+  if (error) throw Error(fmt::format("{}: cannot be created: {}", out.string(), error.message()));
   nlohmann::json asks = nlohmann::json::array();
   for (const std::size_t index : waiting_) asks.push_back(to_json(cases_[index]));
   write_file(job, nlohmann::json{{"cases", asks}}.dump(1) + "\n");
@@ -116,61 +116,63 @@ void Shard::start() {
   if (!settings_.context.empty() && !settings_.truth)
     arguments.insert(arguments.end(), {"--context", settings_.context});
   worker_ = std::make_unique<Worker>(arguments, program_environment(settings_));
-  begun_ = false;
+  case_begun_ = false;
   output_.clear();
   tail_.clear();
   deadline_ = Clock::now() + settings_.start_limit;
 }
 
 void Shard::advance() {
-  if (out_of_patience() && !running_) return leave_rest();
-  // Asked before listening: what was written before the end is then in the pipes and is heard.
+  if (time_out_limit_reached() && !running_) return skip_waiting();
+  // Check for the end before reading, so that everything written before the end is read.
   const std::optional<Exit> exit = worker_->ended();
-  listen();
+  read_pipes();
   if (exit) {
     const std::string words = in_words(*exit);
     if (exit->signal != 0) {
-      // The very last line says what was thrown, where that is what ended it. Not output_: what is printed close to a
-      // case's end may be counted to its neighbour.
+      // After an uncaught exception the last line says what it was. Use tail_, not output_, which lacks what was
+      // printed before the last "end" line.
       const std::string last = last_words(tail_).line;
       const std::string why = last.starts_with("error: ") ? ": " + last.substr(7) : "";
-      settle(Ended::crashed, words + " during this case" + why, words + " before its first case" + why);
+      handle_end(Ended::crashed, words + " during this case" + why, words + " before its first case" + why);
     } else {
       const LastWords said = last_words(output_);
       const std::string refusal = exit->status == exit_ok ? "" : said.error.empty() ? said.line : said.error;
-      settle(Ended::missing, words + " during this case", refusal.empty() ? words + " before its first case" : refusal);
+      handle_end(Ended::missing, words + " during this case",
+                 refusal.empty() ? words + " before its first case" : refusal);
     }
   } else if (Clock::now() >= deadline_) {
-    settle(Ended::timeout, fmt::format("this case lasted longer than {} s", settings_.case_limit.count() / 1000.0),
-           fmt::format("the program did not begin its first case within {} s", settings_.start_limit.count() / 1000.0));
+    handle_end(
+        Ended::timeout, fmt::format("this case took longer than {} s", settings_.case_limit.count() / 1000.0),
+        fmt::format("the program did not begin its first case within {} s", settings_.start_limit.count() / 1000.0));
   }
 }
 
-void Shard::listen() {
-  const auto hear = [this] {
+void Shard::read_pipes() {
+  const auto read_output = [this] {
     const std::string text = worker_->take_output();
     output_.append(text, 0, settings_.output_limit - std::min(settings_.output_limit, output_.size()));
     tail_ += text;
-    tail_.erase(0, tail_.size() - std::min(tail_.size(), longest_tail));
+    tail_.erase(0, tail_.size() - std::min(tail_.size(), max_tail));
   };
-  hear();
+  read_output();
   for (const std::string& line : worker_->take_lines()) {
     if (line.starts_with("begin ")) begin(line.substr(6));
     if (line.starts_with("end ")) {
-      hear();
+      read_output();
       end(line.substr(4));
     }
   }
 }
 
-/// Believed only of a case that is asked for and waits, and while no other runs: every case starts its clock once.
+/// Ignores the message unless the case is waiting and no other case is running. So the time of a case starts only once.
 void Shard::begin(const std::string& name) {
   const auto found =
       std::find_if(waiting_.begin(), waiting_.end(), [&](std::size_t index) { return cases_[index].name == name; });
-  if (running_ || found == waiting_.end() || out_of_patience()) return;
+  if (running_ || found == waiting_.end() || time_out_limit_reached()) return;
   running_ = *found;
   waiting_.erase(found);
-  begun_ = true;
+  case_begun_ = true;
   since_ = Clock::now();
   deadline_ = since_ + settings_.case_limit;
 }
@@ -181,12 +183,12 @@ void Shard::end(const std::string& name) {
   answer.output = std::exchange(output_, {});
   answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   deliver_(*std::exchange(running_, {}), std::move(answer));
-  deadline_ = Clock::now() + (waiting_.empty() ? leave_limit : settings_.case_limit);
+  deadline_ = Clock::now() + (waiting_.empty() ? exit_limit : settings_.case_limit);
 }
 
-/// The process is over, or is to be. The case that ran is blamed; where none had begun, a new process would fare no
-/// better, and every case that waits gets the same answer; otherwise what waits goes on in a new process.
-void Shard::settle(Ended how, const std::string& in_case, const std::string& before_any) {
+/// Handles a process that has ended or must be killed. The running case gets the error. If the process had begun no
+/// case, a new process would fail too, so all waiting cases get the error; otherwise a new process continues with them.
+void Shard::handle_end(Ended how, const std::string& in_case, const std::string& before_any) {
   worker_.reset();
   if (how == Ended::timeout && (running_ || !waiting_.empty())) ++time_outs_;
   const auto give_up = [&](std::size_t index, const std::string& error) {
@@ -194,24 +196,24 @@ void Shard::settle(Ended how, const std::string& in_case, const std::string& bef
     answer.ended = how;
     answer.error = error;
     answer.output = output_;
-    if (begun_) answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
+    if (case_begun_) answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
     deliver_(index, std::move(answer));
   };
   if (running_) give_up(*std::exchange(running_, {}), in_case);
-  if (!begun_)
+  if (!case_begun_)
     for (; !waiting_.empty(); waiting_.pop_front()) give_up(waiting_.front(), before_any);
   if (waiting_.empty()) return;
-  out_of_patience() ? leave_rest() : start();
+  time_out_limit_reached() ? skip_waiting() : start();
 }
 
-/// What waits is not asked any more.
-void Shard::leave_rest() {
+/// Answers all waiting cases without asking the program.
+void Shard::skip_waiting() {
   worker_.reset();
   for (; !waiting_.empty(); waiting_.pop_front()) {
     Answer answer;
     answer.ended = Ended::timeout;
-    answer.error = fmt::format("this case was not drawn, because {} before it had not ended: mend those first",
-                               settings_.most_time_outs);
+    answer.error = fmt::format("this case was not run, because {} earlier cases timed out: fix those first",
+                               settings_.max_time_outs);
     deliver_(waiting_.front(), std::move(answer));
   }
 }

@@ -30,7 +30,7 @@ std::string is_too_large(std::size_t limit) {
   return fmt::format("is larger than the limit of {} bytes", limit);
 }
 
-std::string why_not_taken(const fs::path& path) {
+std::string why_unusable(const fs::path& path) {
   std::error_code error;
   const fs::file_type type = fs::symlink_status(path, error).type();
   if (type == fs::file_type::not_found) return is_missing;
@@ -44,7 +44,7 @@ std::string why_not_taken(const fs::path& path) {
   return {};
 }
 
-std::string in_words(const NotTaken& files) {
+std::string in_words(const UnusableFiles& files) {
   std::string words;
   for (const auto& [file, why] : files) words += (words.empty() ? "" : "; ") + file + " " + why;
   return words;

@@ -14,10 +14,10 @@
 namespace atelier::judge {
 namespace {
 
-constexpr std::size_t longest_line = 128;      ///< bytes; "begin " and a case's name are at most 70
-constexpr std::size_t read_at_once = 1 << 16;  ///< bytes: what a Linux pipe holds
+constexpr std::size_t max_line = 128;          ///< bytes; "begin " and a case's name have at most 70
+constexpr std::size_t read_at_once = 1 << 16;  ///< bytes: the capacity of a Linux pipe
 
-/// Appends what is in the pipe, at most read_at_once bytes; closes our end once the other side is closed.
+/// Appends what is in the pipe, at most read_at_once bytes; closes our end if the other side is closed.
 void drain(Descriptor& pipe, std::string& text) {
   std::array<char, 4096> chunk;
   for (std::size_t all = 0; pipe && all < read_at_once;) {
@@ -57,9 +57,9 @@ std::vector<std::string> Worker::take_lines() {
   drain(progress_, text);
   std::size_t begin = 0;
   for (std::size_t end; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
-    if (end - begin <= longest_line) lines.push_back(text.substr(begin, end - begin));
-  // Of an endless line its begin is kept, so that its end is not taken for a line of its own.
-  line_ = text.substr(begin, longest_line + 1);
+    if (end - begin <= max_line) lines.push_back(text.substr(begin, end - begin));
+  // Keep the beginning of a too long line, so that its end is not mistaken for a line.
+  line_ = text.substr(begin, max_line + 1);
   return lines;
 }
 
@@ -71,7 +71,7 @@ std::string Worker::take_output() {
 
 std::optional<Exit> Worker::ended() {
   if (exit_) return exit_;
-  // Looked at without reaping: as long as the program's number is not given up, its group's number is not either.
+  // Do not reap the process yet, so that the system cannot reuse its process group's number.
   siginfo_t info{};
   if (::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == 0)
     return {};

@@ -89,7 +89,7 @@ TEST_CASE("a ZIP whose names are UTF-8, and say so, is read in every locale") {
   write_file(zip, bytes);
   const ZipContents contents = read_zip(zip, wanted);
   CHECK(contents.files == std::map<std::string, std::string>{{"01-move/move.cpp", "int a;"}});
-  CHECK(contents.passed_over == std::vector<std::string>{"Müller/../ü leads out of the archive's folder"});
+  CHECK(contents.skipped == std::vector<std::string>{"Müller/../ü leads out of the archive's folder"});
 }
 
 TEST_CASE("a submission has a name that can be a folder's") {
@@ -110,8 +110,8 @@ TEST_CASE("what is not taken out of a ZIP is told") {
   struct Row {
     const char* name;
     Member member;
-    judge::NotTaken not_taken;
-    std::vector<std::string> passed_over;
+    judge::UnusableFiles unusable;
+    std::vector<std::string> skipped;
   };
   const std::string large(judge::source_limit + 1, 'x');
   const Row rows[] = {
@@ -135,8 +135,8 @@ TEST_CASE("what is not taken out of a ZIP is told") {
     INFO(row.name);
     write_zip(zip, {row.member, {"02-light/light.glsl", "b"}});
     const ZipContents contents = read_zip(zip, wanted, {.ratio = 1e6});
-    CHECK(contents.not_taken == row.not_taken);
-    CHECK(contents.passed_over == row.passed_over);
+    CHECK(contents.unusable == row.unusable);
+    CHECK(contents.skipped == row.skipped);
     CHECK(contents.files == std::map<std::string, std::string>{{"02-light/light.glsl", "b"}});
   }
 }
@@ -222,8 +222,8 @@ TEST_CASE("a submission is the listed files, copied") {
   CHECK(fs::exists(taken.folder / "02-light/light.glsl"));
   CHECK(!fs::exists(taken.folder / "01-move/CMakeLists.txt"));
   CHECK(!fs::exists(taken.folder / "02-light/light.cpp"));
-  CHECK(taken.not_taken == std::map<std::string, judge::NotTaken>{
-                               {"02-light", {{"light.cpp", "is a symbolic link, which is not followed"}}}});
+  CHECK(taken.unusable == std::map<std::string, judge::UnusableFiles>{
+                              {"02-light", {{"light.cpp", "is a symbolic link, which is not followed"}}}});
   CHECK(taken.notes == std::vector<std::string>{"02-light/light.cpp is a symbolic link, which is not followed"});
 }
 
@@ -248,8 +248,7 @@ TEST_CASE("a step whose folder is a link was not handed in") {
   fs::create_directory_symlink(folder.path() / "solution/01-move", folder.path() / "ada/01-move");
   const Submission taken = take_submission(flags, folder.path() / "ada", folder.path() / "copy");
   CHECK(taken.present == std::set<std::string>{"02-light"});
-  CHECK(taken.passed_over ==
-        std::map<std::string, std::string>{{"01-move", "is a symbolic link, which is not followed"}});
+  CHECK(taken.skipped == std::map<std::string, std::string>{{"01-move", "is a symbolic link, which is not followed"}});
   CHECK(taken.notes == std::vector<std::string>{"01-move is a symbolic link, which is not followed"});
 }
 
@@ -259,7 +258,7 @@ TEST_CASE("notes are bounded") {
   for (int i = 0; i < 100; ++i) members.push_back({"../" + std::to_string(i), "x"});
   write_zip(folder.path() / "ada.zip", members);
   const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
-  REQUIRE(taken.notes.size() == most_notes);
+  REQUIRE(taken.notes.size() == max_notes);
   CHECK(taken.notes.back() == "81 more of the kind");
 }
 
@@ -278,7 +277,7 @@ TEST_CASE("what an archive lacks of a step is told, and why") {
   write_zip(folder.path() / "ada.zip", {{"02-light/light.cpp", "", "/etc/passwd"}});
   const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
   CHECK(taken.present == std::set<std::string>{"02-light"});
-  CHECK(judge::in_words(taken.not_taken.at("02-light")) ==
+  CHECK(judge::in_words(taken.unusable.at("02-light")) ==
         "light.cpp is a symbolic link, which is not followed; light.glsl is missing");
 }
 

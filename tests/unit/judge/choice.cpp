@@ -182,7 +182,7 @@ TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
     // Errors are floats: their relative rounding is 6e-8, and the logarithm's scale here is 4.6.
     CHECK(measured.credit == Approx(row.credit).margin(1e-6));
     CHECK(margin(measured, choice) == Approx(row.margin).epsilon(1e-2));
-    CHECK(measured.dearest == "triangles");
+    CHECK(measured.critical_count == "triangles");
   }
   CHECK(words_of([&] {
           measure_choice(flat(0), flat(0), Encoding::data, {{"draws", 3}}, choice);

@@ -11,7 +11,7 @@ TEST_CASE("partial credit: from the share that fails, within its caps") {
   // f0 = 0.001; f1 = 0.25, so that the denominator is log10(251) = 2.3997.
   struct Row {
     const char* name;
-    Shortfall shortfall;
+    PictureFailure failure;
     double fraction;
   };
   const Row rows[]{
@@ -23,16 +23,16 @@ TEST_CASE("partial credit: from the share that fails, within its caps") {
       {"as much as the skeleton", {0.1, 0.001, 0.1, false, false}, 0},
       {"half of what the skeleton fails", {0.05, 0.001, 0.1, false, false}, 1 - std::log10(51.0) / std::log10(101.0)},
       {"where the skeleton fails nothing", {0.01, 0.001, 0, false, false}, 0},
-      {"capped for a solid area", {0.001, 0.001, 1, true, false}, most_with_blob},
+      {"capped for a solid area", {0.001, 0.001, 1, true, false}, max_credit_with_blob},
       {"below that cap already", {0.1, 0.001, 1, true, false}, 1 - std::log10(101.0) / std::log10(251.0)},
-      {"capped for a whole-picture operation", {0.001, 0.001, 1, true, true}, most_with_whole_picture},
+      {"capped for a whole-picture operation", {0.001, 0.001, 1, true, true}, max_credit_whole_picture},
       {"no budget counts as one pixel of 256x256",
        {1 / 65536.0, 0, 1, false, false},
        1 - std::log10(2.0) / std::log10(1 + 0.25 * 65536)},
   };
   for (const Row& row : rows) {
     INFO(row.name);
-    const Credit credit = partial_credit(row.shortfall);
+    const Credit credit = partial_credit(row.failure);
     CHECK(credit.fraction == Approx(row.fraction).margin(1e-12));  // rounding of the logarithms alone
     CHECK(credit.explanation.empty() == (row.fraction == 0));
   }
@@ -57,7 +57,7 @@ TEST_CASE("partial credit says how it came about") {
 
 TEST_CASE("probes: beyond what the skeleton answers") {
   CHECK(partial_probe_credit(5, 10, 1).fraction == Approx(0.5));
-  CHECK(partial_probe_credit(1, 10, 1).fraction == Approx(most_with_blob));  // 0.9, capped
+  CHECK(partial_probe_credit(1, 10, 1).fraction == Approx(max_credit_with_blob));  // 0.9, capped
   CHECK(partial_probe_credit(10, 10, 1).fraction == 0);
   CHECK(partial_probe_credit(5, 10, 0.5).fraction == 0);  // the skeleton gets that far
   CHECK(partial_probe_credit(3, 12, 0.5).fraction == Approx(0.5));

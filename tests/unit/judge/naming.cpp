@@ -57,7 +57,7 @@ std::vector<AtlasPicture> atlas_of(const Drawing& view, const char* without = ""
 }
 
 std::string name_of(const Image& yours, const Image& right, const std::vector<AtlasPicture>& atlas) {
-  const auto found = recognised(rank_mistakes(atlas_form(yours, false), atlas_form(right, false), atlas));
+  const auto found = recognise(rank_mistakes(atlas_form(yours, false), atlas_form(right, false), atlas));
   return found ? found->mistake : "";
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("a verdict names the mistake, with its sentence, its hint and its pict
   CHECK(result.mistake == "no-shadow");
   CHECK(result.mistake_sentence == known.sentence);
   CHECK(result.hint == known.hint);
-  CHECK(result.figures.at("nearness") < nearer_than_reference);
+  CHECK(result.figures.at("nearness") < max_nearness);
   REQUIRE(result.evidence.has_value());
   REQUIRE(result.evidence->mistake.has_value());
   CHECK(result.evidence->mistake->width() == 96);

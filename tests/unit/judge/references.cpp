@@ -58,17 +58,17 @@ TEST_CASE("a reference that was made is read back, with its atlas") {
   const TemporaryFolder folder;
   const JudgedCase c = claiming({"no-shadow", "no-highlight", "crashes"});
   const MadeReference made = make_reference(folder.path(), c, good_material());
-  CHECK(made.margin >= least_margin);
+  CHECK(made.margin >= min_margin);
   CHECK((made.nearest == "no-highlight" || made.nearest == "no-shadow"));
   CHECK(made.margins.at("invisible-here") < 1);
-  CHECK(made.margins.at("crashes") == largest_margin);
-  CHECK(made.skeleton_share > 0.5);
-  CHECK(made.skeleton_share < 1);  // the background is right
+  CHECK(made.margins.at("crashes") == max_margin);
+  CHECK(made.skeleton_fraction > 0.5);
+  CHECK(made.skeleton_fraction < 1);  // the background is right
   for (const fs::path& file : made.written) CHECK(fs::is_regular_file(file));
   CHECK(read_sidecar(folder.path() / "sphere.json").atlas == std::vector<std::string>{"no-highlight", "no-shadow"});
 
   const StepReferences references = read_from(folder.path());
-  CHECK(references.of(c).skeleton_share == made.skeleton_share);
+  CHECK(references.of(c).skeleton_fraction == made.skeleton_fraction);
   CHECK(references.atlas(c).pictures.size() == 2);
   CHECK(judge_case(c, answer_of(draw({})), references).status == Status::passed);
   const CaseResult wrong = judge_case(c, good_material().mistakes.at("no-shadow"), references);
@@ -224,7 +224,7 @@ TEST_CASE("mask and regions stand in the sidecar, and the skeleton's share heeds
   const Sidecar sidecar = read_sidecar(folder.path() / "sphere.json");
   CHECK(sidecar.mask == c.mask);
   CHECK(sidecar.regions == c.regions);
-  CHECK(sidecar.skeleton_share != check_reference(claiming({"no-shadow"}), good_material()).skeleton_share);
+  CHECK(sidecar.skeleton_fraction != check_reference(claiming({"no-shadow"}), good_material()).skeleton_fraction);
   read_from(folder.path()).require({c});
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("probes: numbers by hand or by the solution, and what mistakes answer"
   SECTION("made by the solution") {
     const MadeReference made = make_reference(folder.path(), c, material);
     CHECK(made.margin == Approx(5));
-    CHECK(made.skeleton_share == Approx(0.5));
+    CHECK(made.skeleton_fraction == Approx(0.5));
     const StepReferences references = read_from(folder.path());
     CHECK(references.of(c).values == *material.solution.values);
     CHECK(judge_case(c, material.mistakes["doubles"], references).mistake == "doubles");
@@ -256,7 +256,7 @@ TEST_CASE("probes: numbers by hand or by the solution, and what mistakes answer"
   SECTION("written by hand: the solution must agree") {
     c.expected = {{4}, {infinity}};
     make_reference(folder.path(), c, material);
-    CHECK(read_from(folder.path()).of(c).skeleton_share == Approx(0.5));
+    CHECK(read_from(folder.path()).of(c).skeleton_fraction == Approx(0.5));
     fs::remove(folder.path() / "square.values.json");
     CHECK(read_from(folder.path()).of(c).values == c.expected);  // needs no file
     c.expected = {{5}, {infinity}};

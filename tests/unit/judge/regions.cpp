@@ -67,12 +67,12 @@ TEST_CASE("shares: masked pixels are left out, those of regions count by their w
   Mask over(10, 10);
   for (int x = 0; x < 10; ++x) over.set(x, 0, true);  // the upper row
   const std::vector<Region> heavy{{"the left half", {0, 0, 5, 10}, 3}}, light{{"the top", {0, 0, 10, 1}, 0.5}};
-  CHECK(weighted_share(over, {}, {}) == Approx(0.1));
-  CHECK(weighted_share(over, {{0, 0, 5, 5}}, {}) == Approx(5 / 75.0));
-  CHECK(weighted_share(over, {}, heavy) == Approx(20 / 200.0));
-  CHECK(weighted_share(over, {}, light) == Approx(5 / 95.0));
-  CHECK(weighted_share(over, {{5, 0, 5, 1}}, heavy) == Approx(15 / (150.0 + 45)));
-  CHECK(weighted_share(over, {{0, 0, 10, 1}, {0, 0, 5, 1}}, light) == 0);
+  CHECK(weighted_fraction(over, {}, {}) == Approx(0.1));
+  CHECK(weighted_fraction(over, {{0, 0, 5, 5}}, {}) == Approx(5 / 75.0));
+  CHECK(weighted_fraction(over, {}, heavy) == Approx(20 / 200.0));
+  CHECK(weighted_fraction(over, {}, light) == Approx(5 / 95.0));
+  CHECK(weighted_fraction(over, {{5, 0, 5, 1}}, heavy) == Approx(15 / (150.0 + 45)));
+  CHECK(weighted_fraction(over, {{0, 0, 10, 1}, {0, 0, 5, 1}}, light) == 0);
 }
 
 TEST_CASE("a mistake in a region that counts more costs more, and the verdict says that parts are weighted") {

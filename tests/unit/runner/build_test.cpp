@@ -259,8 +259,8 @@ TEST_CASE("only the listed files of a submission are taken") {
   fs::remove(course.student / "sums.glsl");
   fs::create_symlink("/etc/passwd", course.student / "sums.glsl");
   const fs::path taken = course.folder.path() / "taken";
-  const NotTaken left = take_step_files(course.flags, "90-sums", course.student, taken);
-  CHECK(left == NotTaken{{"sums.glsl", "is a symbolic link, which is not followed"}});
+  const UnusableFiles left = take_step_files(course.flags, "90-sums", course.student, taken);
+  CHECK(left == UnusableFiles{{"sums.glsl", "is a symbolic link, which is not followed"}});
   std::vector<std::string> names;
   for (const auto& file : fs::directory_iterator(taken)) names.push_back(file.path().filename());
   std::sort(names.begin(), names.end());

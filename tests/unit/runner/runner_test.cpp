@@ -133,12 +133,12 @@ TEST_CASE("after three time-outs no case is asked any more") {
     int most, workers;
     std::vector<bool> asked;
   };
-  const Row rows[] = {{"by default", s.most_time_outs, 1, {true, true, true, true, false, false}},
+  const Row rows[] = {{"by default", s.max_time_outs, 1, {true, true, true, true, false, false}},
                       {"one", 1, 1, {true, false, false, false, false, false}},
                       {"never", 0, 1, {true, true, true, true, true, true}}};
   for (const Row& row : rows) {
     INFO(row.name);
-    s.most_time_outs = row.most;
+    s.max_time_outs = row.most;
     std::size_t delivered = 0;
     const auto answers = run_cases(s, cases, [&](std::size_t, const Answer&) { ++delivered; });
     CHECK(delivered == cases.size());
@@ -153,7 +153,7 @@ TEST_CASE("after three time-outs no case is asked any more") {
 
 TEST_CASE("time-outs are counted over all workers together") {
   RunSettings s = settings();
-  s.case_limit = 300ms, s.workers = 2, s.most_time_outs = 1;
+  s.case_limit = 300ms, s.workers = 2, s.max_time_outs = 1;
   const auto answers = run_cases(s, make_cases({"hangs", "hangs, floods", "honest", "honest", "hangs", "honest"}));
   for (std::size_t i = 2; i < answers.size(); ++i) {
     INFO("case " << i << ": " << answers[i].error);
@@ -228,7 +228,7 @@ TEST_CASE("answers come in the order of the cases, whatever the workers and the 
         CHECK(answers[i].values.has_value() == plain[i].values.has_value());
       }
       std::sort(delivered.begin(), delivered.end());
-      CHECK(delivered == asking_order(cases.size(), {}));
+      CHECK(delivered == case_order(cases.size(), {}));
     }
   }
 }
@@ -251,15 +251,15 @@ TEST_CASE("shares are dealt in small runs of one scene, and shuffled as the seed
   s.workers = 1, s.shuffle = 3;
   const std::vector<Case> cases = make_cases(std::vector<std::string>(6, "honest"));
   const auto shuffled = run_cases(s, cases);
-  const auto order = asking_order(6, 3);
+  const auto order = case_order(6, 3);
   for (std::size_t i = 0; i < 6; ++i) CHECK(place(shuffled[order[i]]) == float(i + 1));
 
-  CHECK(order != asking_order(6, {}));
-  CHECK(asking_order(50, 1) == asking_order(50, 1));
-  CHECK(asking_order(50, 1) != asking_order(50, 2));
-  const auto all = asking_order(50, 1);
+  CHECK(order != case_order(6, {}));
+  CHECK(case_order(50, 1) == case_order(50, 1));
+  CHECK(case_order(50, 1) != case_order(50, 2));
+  const auto all = case_order(50, 1);
   CHECK(std::set<std::size_t>(all.begin(), all.end()).size() == 50);
-  CHECK(asking_order(0, 1).empty());
+  CHECK(case_order(0, 1).empty());
 }
 
 TEST_CASE("what a program prints is kept, up to a limit") {
