@@ -149,7 +149,7 @@ class Field {
       return;
     }
     judge::RunSettings settings = workshop_.settings(version);
-    settings.most_time_outs = 1;
+    settings.max_time_outs = 1;
     for (const Names& names : in_order(all_.cases(), trial.mutant.function))
       for (const CaseResult& c : grade::StepJudge(criteria_, names).judge(settings, judge::KeepEvidence::never).cases) {
         if (c.status == judge::Status::build_failed) {
