@@ -33,7 +33,7 @@ std::vector<std::string> secrets_in(const grade::PackedFiles& files) {
     for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases)
       if (c.hidden) hidden.push_back(c.ask.name);
   for (const auto& [name, file] : files) {
-    if (name.find("patch") != name.npos || name.starts_with("solutions/")) found.push_back(name);
+    if (name.ends_with(".patch") || name.starts_with("solutions/")) found.push_back(name);
     if (!name.starts_with("common/") && file.bytes.find(".patch\"") != std::string::npos)
       found.push_back(name + ": a patch's name");
     for (const std::string& c : hidden)
