@@ -41,8 +41,8 @@ bool write_all(int descriptor, std::string_view bytes) {
 /// The file that a write to `path` replaces. A symbolic link is resolved, so that the link itself stays.
 fs::path replaced_file(const fs::path& path) {
   std::error_code failed;
-  const fs::path behind = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
-  return failed || behind.empty() ? path : behind;
+  const fs::path resolved = fs::is_symlink(path, failed) ? fs::canonical(path, failed) : path;
+  return failed || resolved.empty() ? path : resolved;
 }
 
 }  // namespace

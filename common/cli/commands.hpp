@@ -103,7 +103,7 @@ int run_release(const ReleaseOptions& options);
 
 struct NewStepOptions {
   std::string step;   ///< "13-old-film"
-  std::string title;  ///< empty: made of the name
+  std::string title;  ///< empty: made from the name
 };
 int run_new_step(const NewStepOptions& options);
 
@@ -114,11 +114,11 @@ int run_tables(const TablesOptions& options);
 
 struct MistakeOptions {
   std::string step, name;
-  bool begin = false;          ///< make the copy that is to be edited
-  bool spelling = false;       ///< of a mistake that there is: the same in other words
-  bool variant = false;        ///< no mistake, another right answer
+  bool begin = false;          ///< make the copy to edit
+  bool spelling = false;       ///< a second spelling of an existing mistake
+  bool variant = false;        ///< not a mistake but a variant: another correct solution
   std::filesystem::path from;  ///< the edited copy; empty: out/mistake/NN-name
-  std::string rebase;          ///< renew all patches, made for the solution of this revision of git
+  std::string rebase;          ///< update all patches; they apply to the solution of this git revision
 };
 int run_mistake(const MistakeOptions& options);
 
@@ -182,7 +182,7 @@ int run_stability(const StabilityOptions& options);
 
 struct TestOptions {
   enum class Tier { quick, usual, all } tier = Tier::usual;
-  std::string step;  ///< all that must hold of this one alone; empty: the tier
+  std::string step;  ///< only the tests of this step; empty: the tests of the tier
 };
 int run_test(const TestOptions& options);
 

@@ -225,30 +225,30 @@ void describe_mutate(Interface& interface, MutateOptions& options) {
 
 void describe_mistake(Interface& interface, MistakeOptions& options) {
   CLI::App* mistake =
-      interface.add("mistake", "Make a known mistake of an edited copy of the solution", options, run_mistake);
+      interface.add("mistake", "Make a known mistake from an edited copy of the solution", options, run_mistake);
   add_step(mistake, options.step);
-  mistake->add_option("name", options.name, "Its name, as in half-forgotten");
-  auto* begin = mistake->add_flag("--begin", options.begin, "Make the copy that is to be edited");
-  auto* spelling = mistake->add_flag("--spelling", options.spelling, "The same mistake in other words");
-  auto* variant = mistake->add_flag("--variant", options.variant, "No mistake, but another right answer");
-  auto* from = mistake->add_option("--from", options.from, "The edited copy; without it: out/mistake/STEP");
+  mistake->add_option("name", options.name, "Its name, for example half-forgotten");
+  auto* begin = mistake->add_flag("--begin", options.begin, "Make the copy to edit");
+  auto* spelling = mistake->add_flag("--spelling", options.spelling, "A second spelling of an existing mistake");
+  auto* variant = mistake->add_flag("--variant", options.variant, "Not a mistake, but another correct solution");
+  auto* from = mistake->add_option("--from", options.from, "The edited copy; default: out/mistake/STEP");
   auto* rebase = mistake->add_option("--rebase", options.rebase,
-                                     "Renew all patches, made for the solution of this revision of git");
-  for (CLI::Option* useless : {begin, spelling, variant, from}) rebase->excludes(useless);
+                                     "Update all patches; they apply to the solution of this git revision");
+  for (CLI::Option* unused : {begin, spelling, variant, from}) rebase->excludes(unused);
 }
 
 void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* new_step =
-      interface.add("new-step", "Begin a step: all its files, to be changed", options.new_step, run_new_step);
-  new_step->add_option("step", options.new_step.step, "Number and name, as in 13-old-film")->required();
-  new_step->add_option("--title", options.new_step.title, "Its title; without it: made of the name");
+      interface.add("new-step", "Create all files of a new step from a template", options.new_step, run_new_step);
+  new_step->add_option("step", options.new_step.step, "Number and name, for example 13-old-film")->required();
+  new_step->add_option("--title", options.new_step.title, "Its title; default: made from the name");
 
   describe_mistake(interface, options.mistake);
   describe_mutate(interface, options.mutate);
 
   CLI::App* tables = interface.add("tables", "Write the rows of all steps in README.md and handouts/README.md",
                                    options.tables, run_tables);
-  tables->add_flag("--check", options.tables.check, "Write nothing; fail where a row would change");
+  tables->add_flag("--check", options.tables.check, "Write nothing; fail if a row would change");
 
   CLI::App* skeleton =
       interface.add("skeleton", "Make the students' files from the solutions", options.skeleton, run_skeleton);

@@ -20,7 +20,7 @@ std::optional<std::string> merged(const std::string& mine, const std::string& be
         run_process({.arguments = command, .folder = folder.path(), .time_limit = std::chrono::seconds(10)});
     if (!git.ok()) return std::nullopt;
   } catch (const Error&) {
-    return std::nullopt;  // no git on this machine
+    return std::nullopt;  // git is not installed
   }
   return read_file(folder.path() / "mine");
 }

@@ -1,4 +1,4 @@
-// Three versions of a text, brought together.
+// Three-way merge of texts.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@ namespace atelier {
 
 enum class Conflict { give_up, keep_mine };
 
-/// `mine` with what has changed from `before` to `after`, by git merge-file. Nothing where git is missing, and where
-/// both have changed the same lines, unless `conflict` says that mine stay.
+/// `mine` with the changes from `before` to `after`, by git merge-file. Nothing if git is missing, and in a conflict
+/// unless `conflict` is keep_mine.
 std::optional<std::string> merged(const std::string& mine, const std::string& before, const std::string& after,
                                   Conflict conflict = Conflict::give_up);
 

@@ -14,7 +14,7 @@ class Progress {
  public:
   /// For a number of `steps`. `terminal`: `out` can overwrite a line, which gets fewer than `width` columns.
   Progress(std::FILE* out, bool terminal, int width, std::size_t steps);
-  /// On stderr, with its properties.
+  /// Writes to stderr; detects whether that is a terminal, and its width.
   explicit Progress(std::size_t steps);
   ~Progress() { clear(); }
   Progress(const Progress&) = delete;

@@ -18,9 +18,9 @@ Credit partial_credit(const PictureFailure& failure) {
   Credit credit;
   credit.fraction = 1 - std::min(1.0, std::log10(1 + f / f0) / std::log10(1 + f1 / f0));
   credit.explanation =
-      fmt::format("{} of the pixels fail{}, which is worth {} of the points (none fail: all points; {} fail{}: none)",
-                  percent(f), failure.weighted ? " (some count more than others)" : "", percent(credit.fraction),
-                  percent(f1), f1 < failure.skeleton_fraction ? "" : ", as for the untouched skeleton");
+      fmt::format("{} of the pixels fail{}: {} of the points (all if none fail, none from {}{})", percent(f),
+                  failure.weighted ? " (some count more than others)" : "", percent(credit.fraction), percent(f1),
+                  f1 < failure.skeleton_fraction ? "" : ", as for the untouched skeleton");
   const auto cap = [&](double most, const char* why) {
     if (credit.fraction <= most) return;
     credit.fraction = most;

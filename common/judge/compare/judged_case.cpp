@@ -82,7 +82,7 @@ void read_about(const Reader& r, JudgedCase& c) {
 std::vector<fs::path> read_references(const Reader& r, const std::string& name, const fs::path& folder) {
   const Json* list = r.find("references");
   if (!list) return {folder / (name + ".exr")};
-  const std::string allowed = "a list of .exr or .png files beside the case file";
+  const std::string allowed = "a list of names of .exr or .png files in references/";
   if (!list->is_array() || list->empty()) strict_json::refuse(*list, r.at("references"), allowed);
   std::vector<fs::path> references;
   for (const Json& element : *list) {

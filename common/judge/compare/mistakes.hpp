@@ -46,7 +46,7 @@ std::vector<Mistake> read_mistakes(const std::filesystem::path& file, Patches pa
 std::vector<Variant> read_variants(const std::filesystem::path& file);
 
 /// Copies the regular files of the folder `solution`, without subfolders, to `folder`, which is created, and applies
-/// `patch` there with `patch -p1`. Throws Error with patch's output if it cannot be applied, changes nothing, or adds
+/// `patch` there with `patch -p1`. Throws Error with patch's output if it does not apply, changes nothing, or adds
 /// or removes files.
 void make_patched(const std::filesystem::path& solution, const std::filesystem::path& patch,
                   const std::filesystem::path& folder);

@@ -127,8 +127,8 @@ void add_channel_swaps(std::vector<Undo>& undos) {
   constexpr std::array<std::pair<Order, const char*>, 5> swaps{{{{2, 1, 0}, "red and blue"},
                                                                 {{1, 0, 2}, "red and green"},
                                                                 {{0, 2, 1}, "green and blue"},
-                                                                {{1, 2, 0}, "red, green and blue are rotated"},
-                                                                {{2, 0, 1}, "red, green and blue are rotated"}}};
+                                                                {{1, 2, 0}, "red, green and blue in a cycle"},
+                                                                {{2, 0, 1}, "red, green and blue in a cycle"}}};
   for (const auto& [order, words] : swaps)
     undos.push_back({{"swapped-channels", fmt::format("Channels are exchanged: {}.", words),
                       "Check the order of the components, and the format of the texture upload."},

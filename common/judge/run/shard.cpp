@@ -212,7 +212,7 @@ void Shard::skip_waiting() {
   for (; !waiting_.empty(); waiting_.pop_front()) {
     Answer answer;
     answer.ended = Ended::timeout;
-    answer.error = fmt::format("this case was not run, because {} earlier cases timed out: fix those first",
+    answer.error = fmt::format("this case was not run, because earlier cases timed out ({}): fix those first",
                                settings_.max_time_outs);
     deliver_(waiting_.front(), std::move(answer));
   }

@@ -49,7 +49,7 @@ TEST_CASE("A disk without room is told of before it is written to") {
   const TemporaryFolder folder;
   CHECK_NOTHROW(require_space(folder.path(), 1));
   CHECK(mentions(error_of([&] { require_space(folder.path(), std::uintmax_t(1) << 62); }),
-                 {folder.path().string(), "the disk is full", "MB needed", "make room"}));
+                 {folder.path().string(), "the disk is full", "MB are needed", "free some space"}));
   CHECK_NOTHROW(require_space("/nowhere", 1));  // what is unknown is no reason to stop
 }
 
@@ -99,9 +99,9 @@ TEST_CASE("Reading refuses what is no file within the limit, and names it") {
   CHECK(mentions(error_of([&] { read_file("/proc/self/status", 9); }), {"/proc/self/status", "9 bytes"}));
   CHECK(mentions(error_of([&] { read_file(folder.path() / "missing"); }), {"missing", "No such file"}));
   CHECK(mentions(error_of([&] { read_file(folder.path() / "dangling"); }), {"dangling", "No such file"}));
-  CHECK(mentions(error_of([&] { read_file(folder.path() / "fifo"); }), {"fifo", "no regular file"}));
+  CHECK(mentions(error_of([&] { read_file(folder.path() / "fifo"); }), {"fifo", "not a regular file"}));
   CHECK(mentions(error_of([&] { read_file(folder.path()); }), {folder.path().string(), "folder"}));
-  CHECK(mentions(error_of([&] { read_file("/dev/zero"); }), {"/dev/zero", "no regular file"}));
+  CHECK(mentions(error_of([&] { read_file("/dev/zero"); }), {"/dev/zero", "not a regular file"}));
   CHECK(mentions(error_of([&] { read_file(""); }), {"cannot be read"}));
 }
 
@@ -126,7 +126,7 @@ TEST_CASE("Writing refuses places that cannot hold a file, and names them") {
   CHECK(mentions(error_of([&] { write_file(folder.path() / "file" / "below", "x"); }), {"below", "folder"}));
   // Not tried on a real device: a write_file that is wrong would replace it for the whole machine.
   ::mkfifo((folder.path() / "fifo").c_str(), 0600);
-  CHECK(mentions(error_of([&] { write_file(folder.path() / "fifo", "x"); }), {"fifo", "no regular file"}));
+  CHECK(mentions(error_of([&] { write_file(folder.path() / "fifo", "x"); }), {"fifo", "not a regular file"}));
   CHECK(fs::is_fifo(folder.path() / "fifo"));  // not replaced
   CHECK(mentions(error_of([&] { write_file("/proc/none/x", "x"); }), {"/proc/none/x"}));
 

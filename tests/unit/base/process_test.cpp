@@ -91,7 +91,7 @@ TEST_CASE("What cannot be started is named") {
   CHECK(mentions(message({.arguments = {"/no/such/program"}}), {"/no/such/program", "No such file"}));
   CHECK(mentions(message({.arguments = {folder.path() / "plain"}}), {"plain", "Permission denied"}));
   CHECK(mentions(message({.arguments = {"ls"}, .folder = "/no/such/folder"}), {"ls", "/no/such/folder"}));
-  CHECK(mentions(message({}), {"needs the name of a program"}));
+  CHECK(mentions(message({}), {"the name of the program to start is missing"}));
 }
 
 TEST_CASE("A flood of output is read to its end and kept up to the limit") {

@@ -69,8 +69,8 @@ TEST_CASE("pixels of the wrong kind or size are refused") {
       {good.substr(0, 15), "has 15 bytes"},
       {good.substr(0, good.size() - 1), "has 111 bytes"},
       {good + "x", "has 113 bytes"},
-      {bad_magic, "a.pixels does not begin with ATELIER1"},
-      {swapped, "a.pixels holds 2 x 3 pixels; 3 x 2 were asked for"},
+      {bad_magic, "a.pixels is not a picture file: it does not begin with ATELIER1"},
+      {swapped, "a.pixels has 2 x 3 pixels; 3 x 2 are required"},
   };
   for (const Row& row : rows) {
     const TemporaryFolder folder;
@@ -93,7 +93,7 @@ TEST_CASE("what is no regular file is refused at once") {
     const char* words;
   };
   const Row rows[] = {
-      {folder.path() / "link", "link is a symbolic link; a regular file is needed"},
+      {folder.path() / "link", "link is a symbolic link, not a regular file"},
       {folder.path() / "directory", "directory is a folder, pipe or device"},
       {folder.path() / "fifo", "fifo is a folder, pipe or device"},  // open would wait here for a writer
       {"/dev/zero", "zero is a folder, pipe or device"},
@@ -153,9 +153,9 @@ TEST_CASE("values of the wrong shape are refused") {
       {R"({"results": [[[1]]]})", "result 0: [1] is not allowed"},
       {R"({"results": [[1e999]]})", "a.values: "},
       {R"({"results": [[NaN]]})", "a.values: parse error"},
-      {R"({"results": [], "results": [[1]]})", "stands twice"},
+      {R"({"results": [], "results": [[1]]})", "appears twice"},
       {std::string(500000, '['), "nested deeper than 32 levels"},
-      {std::string((1 << 20) + 1, ' '), "has 1048577 bytes; 1048576 are allowed"},
+      {std::string((1 << 20) + 1, ' '), "has 1048577 bytes; at most 1048576 are allowed"},
       {"{\"results\": \"" + std::string(1000000, 'x') + "\"}", "a.values: results: \"xxx"},
   };
   for (const Row& row : rows) {

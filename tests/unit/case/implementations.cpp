@@ -39,8 +39,8 @@ TEST_CASE("the first root that has a file answers, file by file") {
 TEST_CASE("search paths are checked") {
   CHECK(Implementations::parse("").roots().empty());
   CHECK(Implementations::parse("::/tmp:").roots().size() == 1);
-  CHECK(error_of([] { Implementations::parse("/nowhere"); }) == "implementations: no folder '/nowhere'");
-  CHECK(error_of([] { Implementations::parse("02-x=/nowhere"); }) == "implementations: no folder '/nowhere'");
+  CHECK(error_of([] { Implementations::parse("/nowhere"); }) == "implementations: there is no folder '/nowhere'");
+  CHECK(error_of([] { Implementations::parse("02-x=/nowhere"); }) == "implementations: there is no folder '/nowhere'");
   CHECK(error_of([] { Implementations::parse("=/tmp"); }) == "implementations: '=/tmp' names no step before '='");
-  CHECK(error_of([] { Implementations::parse("a/b/c=/tmp"); }).find("'a/b/c' is no step") != std::string::npos);
+  CHECK(error_of([] { Implementations::parse("a/b/c=/tmp"); }).find("'a/b/c' is neither a step") != std::string::npos);
 }

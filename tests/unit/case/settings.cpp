@@ -181,13 +181,13 @@ TEST_CASE("settings refuse a wrong declaration and a wrong reading") {
   CHECK(error_of([] { Settings({{.name = "a", .fallback = 3, .low = 0, .high = 2}}); }) ==
         "setting 'a': 3 is not allowed; it takes 0..2");
   CHECK(error_of([] { shadow_settings().flag("shadow.bias"); }) ==
-        "setting 'shadow.bias' is a number, and was read as on or off");
+        "setting 'shadow.bias' is a number, but was read as on or off");
   CHECK(error_of([] { Settings({{.name = "a", .fallback = Colour(0, 0, 2), .low = 0, .high = 1}}); }) ==
         "setting 'a': 0,0,2 is not allowed; it takes R,G,B in linear light, each 0..1, or sRGB codes #rrggbb");
   CHECK(error_of([] { shadow_settings().colour("shadow.bias"); }) ==
-        "setting 'shadow.bias' is a number, and was read as a colour");
+        "setting 'shadow.bias' is a number, but was read as a colour");
   CHECK(error_of([] { shadow_settings().real("shadow.tint"); }) ==
-        "setting 'shadow.tint' is a colour, and was read as a number");
+        "setting 'shadow.tint' is a colour, but was read as a number");
   CHECK(error_of([] { shadow_settings().integer("shadow"); }).find("unknown setting 'shadow'") == 0);
 }
 

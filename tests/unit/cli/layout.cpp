@@ -41,10 +41,10 @@ TEST_CASE("a step is found by number, name and part") {
     INFO(row.text);
     CHECK(resolve_step(course_of_names, row.text).name == row.name);
   }
-  CHECK(mentions(error_of([] { resolve_step(course_of_names, "blin-phong"); }), {"blin-phong", "none"}));
-  CHECK(mentions(error_of([] { resolve_step(course_of_names, "-"); }), {"may be", "00-hello or 01-transforms"}));
-  CHECK(mentions(error_of([] { resolve_step(course_of_names, ""); }), {"none"}));
-  CHECK(mentions(error_of([] { resolve_step(course_of_names, "99999999999999999999"); }), {"none"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "blin-phong"); }), {"blin-phong", "no such step"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "-"); }), {"could be", "00-hello or 01-transforms"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, ""); }), {"no such step"}));
+  CHECK(mentions(error_of([] { resolve_step(course_of_names, "99999999999999999999"); }), {"no such step"}));
 }
 
 TEST_CASE("several steps come in the order of the course, once each") {

@@ -278,7 +278,7 @@ TEST_CASE("a project that is not whole makes no release") {
     const char *name, *file, *text, *why;  ///< no text: the file is removed
   };
   const Row rows[] = {
-      {"no solution", "solutions/02-light/light.glsl", nullptr, "made from the whole project"},
+      {"no solution", "solutions/02-light/light.glsl", nullptr, "needs the whole project"},
       {"no licence", "LICENSE", nullptr, "LICENSE"},
       {"no reference", "tests/cases/01-move/references/near.exr", nullptr, "near.exr"},
       {"no sidecar", "tests/cases/01-move/references/near.json", nullptr, "near.json"},

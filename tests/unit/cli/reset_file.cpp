@@ -39,9 +39,9 @@ TEST_CASE("a student's file is found by its path, its step or its name") {
   CHECK(mentions(error("common.glsl"), {"say which", "01-move/common.glsl or 02-light/common.glsl"}));
   CHECK(mentions(error("mvoe.cpp"), {"mvoe.cpp", "01-move/move.cpp"}));
   CHECK(mentions(error("02/move.cpp"), {"02/move.cpp", "02-light/light.cpp"}));
-  CHECK(mentions(error("03/light.cpp"), {"03", "none"}));
-  CHECK(mentions(error("../light.cpp"), {"none"}));
-  CHECK(mentions(error("/etc/light.cpp"), {"none"}));
+  CHECK(mentions(error("03/light.cpp"), {"03", "no such step"}));
+  CHECK(mentions(error("../light.cpp"), {"no such step"}));
+  CHECK(mentions(error("/etc/light.cpp"), {"no such step"}));
   CHECK(!error("").empty());
 }
 

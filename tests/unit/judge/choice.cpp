@@ -75,7 +75,7 @@ TEST_CASE("what a choice is worth is read, or refused with the member's name") {
     const char* says;
   };
   const Row rows[] = {
-      {"nothing to choose", "settings", json::array(), "something to choose"},
+      {"nothing to choose", "settings", json::array(), "at least one setting to choose"},
       {"no bound", "at_most", json::object(), "at_most"},
       {"a bound of nothing", "at_most", {{"triangles", 0}}, "at_most: triangles"},
       {"an unknown error", "error", "ssim", "error"},
@@ -122,7 +122,7 @@ TEST_CASE("choices.txt is read line by line") {
     const char* says;
   };
   const Row rows[] = {
-      {"// fine\nhall.segments = 96", "choices.txt:2: 'hall.segments = 96' is no choice"},
+      {"// fine\nhall.segments = 96", "choices.txt:2: 'hall.segments = 96' is not a choice"},
       {"hall-choice: hall.segments", "choices.txt:1"},
       {"hall-choice: = 96", "choices.txt:1"},
       {"hall-choice: hall.segments =", "choices.txt:1"},
@@ -134,7 +134,7 @@ TEST_CASE("choices.txt is read line by line") {
       {"a: b = \x80\x80", "choices.txt:1"},
       {"a: b = 3 metres", "choices.txt:1"},
       {"a: b = 0.2, 0.5, 1",
-       "choices.txt:1: 'a: b = 0.2, 0.5, 1' is no choice; a line says CASE: SETTING = VALUE, the "
+       "choices.txt:1: 'a: b = 0.2, 0.5, 1' is not a choice; write CASE: SETTING = VALUE, the "
        "value without spaces"},
       {"a: b = 1,1,1\na: b = #ffffff", "choices.txt:2: b is chosen twice for a"},
   };
@@ -152,10 +152,10 @@ TEST_CASE("only what a case leaves open can be chosen for it") {
   CHECK(with_choices(c, {{"other-choice", {{"draw.wireframe", true}}}}).settings.empty());
   CHECK(words_of([&] {
           with_choices(c, {{"hall-choice", {{"draw.wireframe", true}}}});
-        }).find("draw.wireframe cannot be chosen here; open are hall.segments") != std::string::npos);
+        }).find("draw.wireframe cannot be chosen here, only hall.segments") != std::string::npos);
   CHECK(words_of([&] {
           with_choices(c, {{"hall-choise", {{"hall.segments", 96}}}});
-        }).find("'hall-choise' is no case with a choice; did you mean 'hall-choice'?") != std::string::npos);
+        }).find("'hall-choise' is not a case with a choice; did you mean 'hall-choice'?") != std::string::npos);
 }
 
 TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
@@ -186,7 +186,7 @@ TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
   }
   CHECK(words_of([&] {
           measure_choice(flat(0), flat(0), Encoding::data, {{"draws", 3}}, choice);
-        }).find("triangles is nothing that the program counts") != std::string::npos);
+        }).find("the program does not count triangles") != std::string::npos);
 }
 
 TEST_CASE("a verdict on a choice says the error, the cost and what they are worth") {
@@ -224,6 +224,6 @@ TEST_CASE("a verdict on a choice says the error, the cost and what they are wort
   CHECK(judge_case(c, silent, references).reason.find("'triangles' is missing") != std::string::npos);
 
   Answer refused;
-  refused.error = "choices.txt:1: 'x' is no choice";
+  refused.error = "choices.txt:1: 'x' is not a choice";
   CHECK(judge_case(c, refused, references).reason == refused.error);
 }

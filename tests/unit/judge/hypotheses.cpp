@@ -54,9 +54,9 @@ TEST_CASE("colours: mirrors, shifts, channels, encodings and gains are found") {
   const Image right = draw({});
   const int last = right.width() - 1;
   std::vector<PictureRow> rows{
-      {"flipped-y", moved(right, [=](int x, int y) { return glm::ivec2(x, last - y); }), "head"},
+      {"flipped-y", moved(right, [=](int x, int y) { return glm::ivec2(x, last - y); }), "upside down"},
       {"flipped-x", moved(right, [=](int x, int y) { return glm::ivec2(last - x, y); }), "left to right"},
-      {"rotated-180", moved(right, [=](int x, int y) { return glm::ivec2(last - x, last - y); }), "half a turn"},
+      {"rotated-180", moved(right, [=](int x, int y) { return glm::ivec2(last - x, last - y); }), "180 degrees"},
       {"transposed", moved(right, [](int x, int y) { return glm::ivec2(y, x); }), "diagonal"},
       {"shifted", moved(right, [](int x, int y) { return glm::ivec2(x - 1, y); }), "to the right"},
       {"shifted", moved(right, [](int x, int y) { return glm::ivec2(x + 1, y - 1); }), "to the left and down"},
@@ -72,7 +72,7 @@ TEST_CASE("colours: mirrors, shifts, channels, encodings and gains are found") {
                [](const Rgba& p) {
                  return Rgba{p.g, p.b, p.r, p.a};
                }),
-       "circle"},
+       "cycle"},
       {"encoded-twice", changed(right, each([](float v) { return srgb_encode(v); })), "twice"},
       {"not-encoded", changed(right, each([](float v) { return srgb_decode(v); })), "once too often"},
       {"gain", scaled(right, 2), "2 times too bright (that is 2)"},
@@ -88,7 +88,7 @@ TEST_CASE("colours: an operation is found under the noise of another processor, 
   Drawing jittered;
   jittered.offset_x = jittered.offset_y = 1 / 64.0;
   const Image upside_down = moved(with_noise(draw(jittered), 1), [=](int x, int y) { return glm::ivec2(x, last - y); });
-  check_picture_rows({{"flipped-y", upside_down, "head"}}, right, picture_case());
+  check_picture_rows({{"flipped-y", upside_down, "upside down"}}, right, picture_case());
 }
 
 TEST_CASE("encoded colours: linear values where encoded ones are asked for") {
@@ -116,7 +116,7 @@ TEST_CASE("directions: signs and packing") {
                        "z is"},
                       {"not-packed", changed(right, each([](float v) { return 2 * v - 1; })), "n/2 + 1/2"},
                       {"packed-twice", changed(right, each([](float v) { return v / 2 + 0.5f; })), "twice"},
-                      {"flipped-y", moved(right, [](int x, int y) { return glm::ivec2(x, 191 - y); }), "head"}},
+                      {"flipped-y", moved(right, [](int x, int y) { return glm::ivec2(x, 191 - y); }), "upside down"}},
                      right, picture_case(Profile::strict, Unit::degrees, 1, 4));
 }
 

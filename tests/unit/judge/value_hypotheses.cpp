@@ -161,10 +161,9 @@ TEST_CASE("vectors: signs, exchanges, lengths, factors and the place of w are fo
       units);
 
   check_value_rows({{"normalised", {{0.6, 0.8}, {-0.8, 0.6}}, "the right direction, normalised"}}, {{3, 4}, {-8, 6}});
-  check_value_rows(
-      {{"w-first", {{4, 1, 2, 3}}, "the right numbers in the order w, x, y, z, where x, y, z, w is asked for"},
-       {"w-last", {{2, 3, 4, 1}}, "the right numbers in the order x, y, z, w, where w, x, y, z is asked for"}},
-      {{1, 2, 3, 4}});
+  check_value_rows({{"w-first", {{4, 1, 2, 3}}, "the right numbers in the order w, x, y, z instead of x, y, z, w"},
+                    {"w-last", {{2, 3, 4, 1}}, "the right numbers in the order x, y, z, w instead of w, x, y, z"}},
+                   {{1, 2, 3, 4}});
 }
 
 TEST_CASE("single numbers: a factor and a constant are found over several inputs") {
@@ -224,7 +223,8 @@ TEST_CASE("a verdict says the hypothesis first, then the first wrong entry") {
   CHECK(result.hypothesis == "transposed");
   INFO(result.reason);
   CHECK(result.reason.starts_with("place returns the right matrix transposed. place is wrong for all 2 inputs."));
-  CHECK(mentions(result.reason, {"First at input 0: row 2, column 1 (m[0][1]) is", "farthest off at input 1: row"}));
+  CHECK(
+      mentions(result.reason, {"First error at input 0: row 2, column 1 (m[0][1]) is", "worst error at input 1: row"}));
   CHECK(mentions(result.hint, {"m[3] is the fourth column"}));
 }
 

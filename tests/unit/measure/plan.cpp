@@ -156,7 +156,7 @@ TEST_CASE("colours are swept like choices, by light or by codes") {
        {"sweep 'sky'", "'0,0,1' is not among"}},
       {"a colour without values",
        [](json& d) { d["sweeps"][1].erase("values"); },
-       {"sweep 'sky'", "sky is a colour", "name values"}},
+       {"sweep 'sky'", "sky is a colour", "must name its values"}},
   };
   for (const Row& row : rows) {
     INFO(row.name);
@@ -261,7 +261,7 @@ TEST_CASE("a plan must fit its program, and forget nothing") {
       {"a setting forgotten", [](json& d) { d.erase("not_measured"); }, {"draw.wireframe", "not_measured"}},
       {"measured, and said not to be",
        [](json& d) { d["not_measured"]["depth.format"] = "why"; },
-       {"depth.format", "measured all the same"}},
+       {"depth.format", "measured by a sweep or a front"}},
   };
   for (const Row& row : rows) {
     INFO(row.name);

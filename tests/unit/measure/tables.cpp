@@ -83,10 +83,10 @@ TEST_CASE("stored numbers may differ by what processors differ by, and by nothin
       {"the same", stored, ""},
       {"off by a tenth", replaced(stored, "fine,4,0.25", "fine,4,0.27"), ""},
       {"near the floor", replaced(stored, "fine,256,6.10352e-05", "fine,256,0.009"), ""},
-      {"off by a fifth", replaced(stored, "fine,4,0.25", "fine,4,0.3"), "fine,4: 0.3 where 0.25 is stored"},
+      {"off by a fifth", replaced(stored, "fine,4,0.25", "fine,4,0.3"), "fine,4: 0.3, but 0.25 is stored"},
       {"no number", replaced(stored, "fine,4,0.25", "fine,4,nan"), "fine,4"},
-      {"another value", replaced(stored, "fine,4,", "fine,5,"), "fine,5 where one for fine,4"},
-      {"a line less", stored.substr(0, stored.rfind("coarse")), "15 lines where 16"},
+      {"another value", replaced(stored, "fine,4,", "fine,5,"), "fine,5, but one for fine,4"},
+      {"a line less", stored.substr(0, stored.rfind("coarse")), "15 lines, but 16"},
       {"another metric", replaced(stored, "rmse", "flip"), "columns"},
   };
   for (const Row& row : rows) {
@@ -127,7 +127,7 @@ TEST_CASE("the page needs nothing beside it, and takes no text for mark-up") {
   measured.sweeps[0].plan.expect = {{.curve = "fine", .number = -1, .tolerance = 0.1, .reason = "<b>why</b>"}};
   const std::string html = page(measured);
   CHECK(test::mentions(html, {"data:image/svg+xml;base64,", "default-src 'none'", "Recommended default: <b>b</b>",
-                              "not so", "&lt;b&gt;why&lt;/b&gt;", "a &lt;fast&gt; one"}));
+                              "not as expected", "&lt;b&gt;why&lt;/b&gt;", "a &lt;fast&gt; one"}));
   CHECK(html.find("<b>why") == std::string::npos);
   CHECK(html.find("http://") == std::string::npos);
   CHECK(html.find("<script") == std::string::npos);

@@ -128,7 +128,7 @@ SubmissionResult unbuilt_sample(int cases) {
     c.asked = "Something else in case " + std::to_string(i) + ".";
     c.status = Status::build_failed, c.max_score = 2;
     c.reason = "blinn_phong.cpp:1:1: error: 'this' does not name a type";
-    c.hint = "Mend what the compiler names first.";
+    c.hint = "Fix the first compiler error.";
     c.command = "./atelier check 02 --case " + c.name;
     step.cases.push_back(std::move(c));
   }

@@ -62,8 +62,8 @@ TEST_CASE("the table has a line a case, within the width") {
 TEST_CASE("a failure is explained in order, a pass is not") {
   const std::string text = terminal_report(test::sample(), {});
   std::size_t last = 0;
-  for (const char* words : {"x highlight  The highlight", "asked ", "seen ", "looks like ", "(no-specular)", "where ",
-                            "try next ", "again ", "./atelier check 02 --case highlight"}) {
+  for (const char* words : {"x highlight  The highlight", "expected ", "found ", "looks like ", "(no-specular)",
+                            "where ", "try next ", "rerun ", "./atelier check 02 --case highlight"}) {
     INFO(words);
     const std::size_t at = text.find(words, last);
     REQUIRE(at != std::string::npos);
@@ -76,15 +76,15 @@ TEST_CASE("a failure is explained in order, a pass is not") {
 TEST_CASE("what failed alike is told once") {
   const std::string text = terminal_report(test::unbuilt_sample(41), {});
   CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x 41 cases  build failed",
-                              "cases       case-0, case-1,", "case-40", "Mend what the compiler",
-                              "passed over: ../x leads out", "0 / 82 points, 0 of 41 cases passed"}));
+                              "cases       case-0, case-1,", "case-40", "Fix the first compiler",
+                              "skipped: ../x leads out", "0 / 82 points, 0 of 41 cases passed"}));
   const auto times = [&](std::string_view words) {
     int found = 0;
     for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
     return found;
   };
   CHECK(times("does not name a type") == 3);  // in the table, of the compiler, in the explanation
-  CHECK(times("Mend what") == 1);
+  CHECK(times("Fix the first") == 1);
   CHECK(times("--case ") == 1);
   CHECK(times("Something else") == 0);  // what is asked differs from case to case
 }

@@ -23,7 +23,7 @@ TEST_CASE("points are cut, so that nobody reads full marks beside a failure") {
 TEST_CASE("a verdict speaks in a fixed order, and only of what there is") {
   std::string labels;
   for (const Remark& remark : remarks(test::failed_picture())) labels += remark.label + ",";
-  CHECK(labels == "asked,seen,looks like,where,credit,try next,again,");
+  CHECK(labels == "expected,found,looks like,where,credit,try next,rerun,");
   CaseResult bare;
   CHECK(remarks(bare).empty());
   bare.mistake = "no-specular";
@@ -55,7 +55,7 @@ TEST_CASE("cases without an answer for the same reason are a group") {
   CHECK(sum_of(groups[0]).max_score == 2);
   std::string said;
   for (const Remark& remark : remarks(groups[0])) said += remark.label + ": " + remark.text + "; ";
-  CHECK(said == "seen: not drawn; again: check a; ");
+  CHECK(said == "found: not drawn; rerun: check a; ");
   step.cases[3].output = "hello\n";
   CHECK(output_of(groups[0]) == "hello\n");
 }

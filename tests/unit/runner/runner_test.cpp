@@ -146,7 +146,7 @@ TEST_CASE("after three time-outs no case is asked any more") {
       INFO("case " << i << ": " << answers[i].error);
       const bool honest = cases[i].scene == "honest";
       CHECK(to_string(answers[i].ended) == (honest && row.asked[i] ? "normally" : "timeout"));
-      CHECK(has_all(answers[i].error, {"was not drawn, because"}) == !row.asked[i]);
+      CHECK(has_all(answers[i].error, {"was not run, because"}) == !row.asked[i]);
     }
   }
 }
@@ -158,7 +158,7 @@ TEST_CASE("time-outs are counted over all workers together") {
   for (std::size_t i = 2; i < answers.size(); ++i) {
     INFO("case " << i << ": " << answers[i].error);
     CHECK(to_string(answers[i].ended) == "timeout");
-    CHECK(has_all(answers[i].error, {"was not drawn, because"}));
+    CHECK(has_all(answers[i].error, {"was not run, because"}));
   }
 }
 
