@@ -3,17 +3,13 @@
 #include <fmt/core.h>
 
 #include "gl/debug.hpp"
-#include "gl/shader.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/state.hpp"
 #include "gl/target.hpp"
 
 namespace atelier {
 
 namespace {
-
-constexpr const char* triangle_over_everything = R"(
-void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0); }
-)";
 
 const char* glsl_type(const std::string& name, std::size_t count) {
   switch (count) {
@@ -74,7 +70,7 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   if (found == programs_.end()) {
     found = programs_
                 .emplace(text, build_program(
-                                   gl_, assemble_shader_text(find, triangle_over_everything, "probe vertex shader", {}),
+                                   gl_, assemble_shader_text(find, full_screen_vertex_text, "probe vertex shader", {}),
                                    assemble_shader_text(find, text, "probe", {})))
                 .first;
     label(gl_, GL_PROGRAM, found->second.id(), shown_as);
@@ -88,15 +84,18 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   gl_.UseProgram(program);
   for (const auto& [name, values] : arguments.values)
     if (const GLint at = gl_.GetUniformLocation(program, name.c_str()); at >= 0) set_uniform(gl_, at, values);
-  const GlVertexArray nothing(gl_);
-  gl_.BindVertexArray(nothing.id());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_.BindVertexArray(0);
+  draw_triangle_by_id(gl_);
   check_gl_error(gl_, "evaluating a probe");
   const Rgba value = target.read_colour(gl_).at(0, 0);
   return {value.r, value.g, value.b, value.a};
 }
 
+Numbers numbers_of(const glm::vec2& vector) {
+  return {vector.x, vector.y};
+}
+Numbers numbers_of(const glm::vec3& vector) {
+  return {vector.x, vector.y, vector.z};
+}
 Numbers numbers_of(const glm::mat4& matrix) {
   Numbers numbers;
   for (int column = 0; column < 4; ++column)

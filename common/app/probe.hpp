@@ -4,12 +4,12 @@
 #include <functional>
 #include <iterator>
 #include <map>
+#include <stdexcept>
 #include <string>
 
 #include "case/case.hpp"
 #include "case/implementations.hpp"
-#include "gl/gl.hpp"
-#include "gl/objects.hpp"
+#include "gl/shader.hpp"
 
 namespace atelier {
 
@@ -47,10 +47,24 @@ void append(Numbers& numbers, const Values& more) {
   numbers.insert(numbers.end(), std::begin(more), std::end(more));
 }
 
-/// The numbers of a matrix, column by column.
+/// The numbers of a vector, or of a matrix, column by column.
+Numbers numbers_of(const glm::vec2& vector);
+Numbers numbers_of(const glm::vec3& vector);
 Numbers numbers_of(const glm::mat4& matrix);
 
-/// A probe of a GLSL function: the first `components` of the vec4 expression.
+/// {1} if the call throws std::invalid_argument, as contracts require where they refuse; {0} if it returns.
+template <class Call>
+Numbers refuses(Call&& call) {
+  try {
+    call();
+  } catch (const std::invalid_argument&) {
+    return {1};
+  }
+  return {0};
+}
+
+/// A probe of a GLSL function: the first `components` of the vec4 expression. `preamble` as for ShaderProbe::evaluate:
+/// text_including(file, defines) in most cases.
 Probe shader_probe(std::string preamble, std::string expression, int components);
 
 }  // namespace atelier

@@ -51,6 +51,9 @@ ShaderSource assemble_shader(const FindFile& find, const std::string& name, cons
 ShaderSource assemble_shader_text(const FindFile& find, const std::string& text, const std::string& label,
                                   const Defines& defines);
 
+/// GLSL that includes `file`: the defines, a line each, then `before`, which is whole lines, then the #include.
+std::string text_including(const std::string& file, const Defines& defines = {}, const std::string& before = "");
+
 /// A shader that the driver refused. what() reads "blinn_phong.glsl:12: error: ..." a line each, the author's file and
 /// line.
 class ShaderError : public Error {

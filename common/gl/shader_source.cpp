@@ -76,6 +76,12 @@ std::optional<Directive> directive_in(const std::string& code) {
   return Directive{code.substr(word, end - word), hash, end};
 }
 
+std::string define_lines(const Defines& defines) {
+  std::string lines;
+  for (const auto& [name, value] : defines) lines += fmt::format("#define {} {}\n", name, value);
+  return lines;
+}
+
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\v\f") == std::string_view::npos;
 }
@@ -176,8 +182,7 @@ std::string Assembler::place(ShaderSource::Line from) const {
 }
 
 ShaderSource Assembler::finish(const Defines& defines) && {
-  std::string head = "#version 330 core\n";
-  for (const auto& [name, value] : defines) head += fmt::format("#define {} {}\n", name, value);
+  const std::string head = "#version 330 core\n" + define_lines(defines);
   source_.text.insert(0, head);
   std::vector<ShaderSource::Line> head_lines;
   for (std::size_t line = 1; line <= 1 + defines.size(); ++line) head_lines.push_back({-1, line});
@@ -186,6 +191,10 @@ ShaderSource Assembler::finish(const Defines& defines) && {
 }
 
 }  // namespace
+
+std::string text_including(const std::string& file, const Defines& defines, const std::string& before) {
+  return define_lines(defines) + before + fmt::format("#include \"{}\"\n", file);
+}
 
 ShaderSource assemble_shader(const FindFile& find, const std::string& name, const Defines& defines) {
   Assembler assembler(find);

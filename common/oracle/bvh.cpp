@@ -18,11 +18,6 @@ double half_area(const Box3& box) {
   return size.x * size.y + size.y * size.z + size.z * size.x;
 }
 
-void extend(Box3& box, const Box3& other) {
-  box.low = glm::min(box.low, other.low);
-  box.high = glm::max(box.high, other.high);
-}
-
 glm::dvec3 middle(const Box3& box) {
   return box.low * 0.5 + box.high * 0.5;
 }
@@ -43,7 +38,7 @@ Cut best_cut(const std::array<Box3, bins>& boxes, const std::array<std::uint32_t
   Box3 box;
   std::uint32_t count = 0;
   for (int bin = bins - 1; bin > 0; --bin) {
-    extend(box, boxes[std::size_t(bin)]);
+    box.add(boxes[std::size_t(bin)]);
     count += counts[std::size_t(bin)];
     cost_behind[std::size_t(bin)] = count * half_area(box);
   }
@@ -51,7 +46,7 @@ Cut best_cut(const std::array<Box3, bins>& boxes, const std::array<std::uint32_t
   count = 0;
   Cut best{.cost = std::numeric_limits<double>::infinity()};
   for (int bin = 1; bin < bins; ++bin) {
-    extend(box, boxes[std::size_t(bin - 1)]);
+    box.add(boxes[std::size_t(bin - 1)]);
     count += counts[std::size_t(bin - 1)];
     const double cost = count * half_area(box) + cost_behind[std::size_t(bin)];
     if (cost < best.cost) best = {bin, cost};
@@ -83,7 +78,7 @@ struct Bvh::Builder {
       std::array<std::uint32_t, bins> counts{};
       const auto bin = [&](std::uint32_t thing) { return bin_of(middle(boxes[thing])[axis], low, length); };
       for (auto thing = first; thing != last; ++thing) {
-        extend(bin_boxes[std::size_t(bin(*thing))], boxes[*thing]);
+        bin_boxes[std::size_t(bin(*thing))].add(boxes[*thing]);
         ++counts[std::size_t(bin(*thing))];
       }
       const Cut cut = best_cut(bin_boxes, counts);
@@ -102,7 +97,7 @@ struct Bvh::Builder {
     tree.depth_ = std::max(tree.depth_, depth);
     Box3 box, middles;
     for (std::uint32_t i = begin; i < end; ++i) {
-      extend(box, boxes[tree.order_[i]]);
+      box.add(boxes[tree.order_[i]]);
       middles.add(middle(boxes[tree.order_[i]]));
     }
     const std::size_t index = tree.nodes_.size();

@@ -109,13 +109,7 @@ std::optional<ShapeHit> intersect(const Surface& surface, const Ray& ray, bool f
 }
 
 Box3 bounds(const Shape& shape) {
-  const Box3 own = own_bounds(shape.surface);
-  Box3 box;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 point(corner & 1 ? own.high.x : own.low.x, corner & 2 ? own.high.y : own.low.y,
-                           corner & 4 ? own.high.z : own.low.z);
-    box.add(glm::dvec3(shape.object_to_world * glm::dvec4(point, 1)));
-  }
+  Box3 box = box_around(corners_of(own_bounds(shape.surface), shape.object_to_world));
   const glm::dvec3 margin = 1e-12 * (glm::abs(box.low) + glm::abs(box.high) + (box.high - box.low));
   box.low -= margin;
   box.high += margin;

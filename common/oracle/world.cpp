@@ -93,10 +93,7 @@ void World::place_shapes(std::vector<Shape> shapes) {
 void World::grow_tree() {
   std::vector<Box3> boxes;
   boxes.reserve(triangles_.size() + shapes_.size());
-  for (const Triangle& triangle : triangles_) {
-    Box3& box = boxes.emplace_back();
-    for (const glm::dvec3& corner : corners_of(triangle)) box.add(corner);
-  }
+  for (const Triangle& triangle : triangles_) boxes.push_back(box_around(corners_of(triangle)));
   for (const PlacedShape& placed : shapes_) boxes.push_back(placed.box);
   for (const Box3& box : boxes)
     for (const glm::dvec3& far : {glm::abs(box.low), glm::abs(box.high)})

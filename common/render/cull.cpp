@@ -29,9 +29,8 @@ bool outside_view(const glm::mat4& projection, const glm::mat4& view, const glm:
   // the slack: as a sum of magnitudes it is, between the corners, at most the mean of theirs.
   std::array<bool, 6> all_outside;
   all_outside.fill(true);
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec4 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                       corner & 4 ? box.high.z : box.low.z, 1);
+  for (const glm::dvec3& corner : corners_of(box)) {
+    const glm::dvec4 p(corner, 1);
     const glm::dvec4 c = to_clip * p, largest = to_largest * glm::abs(p);
     const auto beyond = [&](int axis, double sign, double limit, double limit_size) {
       return sign * c[axis] - limit > rounding * (largest[axis] + limit_size);

@@ -7,16 +7,6 @@
 
 namespace atelier {
 
-namespace {
-
-Box3 box_of(const Mesh& mesh) {
-  Box3 box;
-  for (const Vertex& vertex : mesh.vertices) box.add(glm::dvec3(vertex.position));
-  return box;
-}
-
-}  // namespace
-
 PlacedNodes::PlacedNodes(Gl& gl, const TransformFunctions& transforms, const Scene& scene,
                          const std::vector<std::vector<glm::vec4>>& tangents)
     : gl_(gl), transforms_(transforms), scene_(scene) {
@@ -30,7 +20,7 @@ PlacedNodes::UploadedMesh PlacedNodes::upload(const Mesh& mesh, const std::vecto
                         .vertex_buffer = GlBuffer(gl_, made.vertex_buffer),
                         .index_buffer = GlBuffer(gl_, made.index_buffer),
                         .count = made.count,
-                        .box = box_of(mesh)};
+                        .box = box_around(mesh)};
   if (!tangents.empty() && uploaded.vertex_array) {
     if (tangents.size() != mesh.vertices.size())
       throw Error(

@@ -95,8 +95,7 @@ std::vector<Box3> node_boxes(const Scene& scene) {
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     if (!scene.nodes[i].mesh) continue;
     Box3& box = boxes[i];
-    for (const Vertex& vertex : scene.meshes.at(std::size_t(*scene.nodes[i].mesh)).vertices)
-      box.add(glm::dvec3(world[i] * glm::dvec4(glm::dvec3(vertex.position), 1)));
+    box = box_around(scene.meshes.at(std::size_t(*scene.nodes[i].mesh)), world[i]);
     if (box.empty()) continue;
     const glm::dvec3 slack(doubt * std::max(coordinate, largest_coordinate(box.low, box.high)));
     box.low -= slack;

@@ -59,11 +59,7 @@ glm::dvec3 most_given_back(const std::vector<Material>& materials, const std::fu
 
 Box3 box_of_drawn(const Scene& scene) {
   Box3 all;
-  for (const Box3& box : node_boxes(scene)) {
-    if (box.empty()) continue;
-    all.add(box.low);
-    all.add(box.high);
-  }
+  for (const Box3& box : node_boxes(scene)) all.add(box);
   return all;
 }
 

@@ -70,11 +70,8 @@ std::vector<glm::dmat4> world_matrices_exact(const std::vector<Node>& nodes) {
 Box3 bounds(const Scene& scene) {
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
   Box3 box;
-  for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
-    if (!scene.nodes[i].mesh) continue;
-    for (const Vertex& vertex : scene.meshes.at(*scene.nodes[i].mesh).vertices)
-      box.add(glm::dvec3(world[i] * glm::dvec4(glm::dvec3(vertex.position), 1)));
-  }
+  for (std::size_t i = 0; i < scene.nodes.size(); ++i)
+    if (scene.nodes[i].mesh) box.add(box_around(scene.meshes.at(*scene.nodes[i].mesh), world[i]));
   return box;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "image/image.hpp"
+#include "scene/box.hpp"
 
 namespace atelier {
 
@@ -113,13 +114,6 @@ struct Scene {
 /// Throws atelier::Error naming the first thing that is wrong, as "scene 'hall': node 3 ('door'): mesh 9 of 4":
 /// an index out of range, a cycle of parents, a NaN or infinity, a camera or light outside the ranges above.
 void validate(const Scene& scene);
-
-/// The smallest axis-aligned box around points, empty when made.
-struct Box3 {
-  glm::dvec3 low{1e300}, high{-1e300};
-  bool empty() const { return low.x > high.x; }
-  void add(const glm::dvec3& point) { low = glm::min(low, point), high = glm::max(high, point); }
-};
 
 /// All node indices, every parent before its children, otherwise in the order given. Throws atelier::Error naming the
 /// node at a cycle or a parent out of range. Takes time linear in the number of nodes, and no recursion.

@@ -6,11 +6,6 @@
 namespace atelier::scene_import {
 namespace {
 
-struct Ball {
-  glm::dvec3 centre;
-  double radius;
-};
-
 Ball ball_around(const Box3& box) {
   if (box.empty()) return {{0, 0, 0}, 1};
   const double radius = glm::length(box.high - box.low) / 2;

@@ -2,18 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "gl/full_screen.hpp"
 #include "gl/target.hpp"
 
 namespace atelier::stability {
 
 namespace {
 
-// One pixel an input: a triangle over a picture one pixel high.
-constexpr const char* triangle_over_everything =
-    "void main() { gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0); "
-    "}\n";
-
-/// The fragment shader: parameter k of the input at pixel x is texel (x, k).
+/// The fragment shader of a picture one pixel high, a pixel an input: parameter k of the input at pixel x is texel (x,
+/// k).
 std::string fragment_text(const ShaderFunction& function) {
   std::string text = function.source + "\nuniform sampler2D u_inputs;\nout vec4 o_value;\nvoid main() {\n";
   for (std::size_t k = 0; k < function.parameters.size(); ++k)
@@ -62,7 +59,7 @@ GLuint ShaderFunctions::program_for(const ShaderFunction& function) {
   for (const auto& [name, value] : function.defines) key += fmt::format("#define {} {}\n", name, value);
   auto found = programs_.find(key);
   if (found == programs_.end()) {
-    const ShaderSource vertex = assemble_shader_text(find_, triangle_over_everything, "vertex shader", {});
+    const ShaderSource vertex = assemble_shader_text(find_, full_screen_vertex_text, "vertex shader", {});
     const ShaderSource fragment = assemble_shader_text(find_, text, function.expression, function.defines);
     found = programs_.emplace(std::move(key), build_program(*gl_, vertex, fragment)).first;
   }
@@ -122,10 +119,7 @@ std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
   bind(GL_TEXTURE_2D_ARRAY, function.arrays);
   bind(GL_TEXTURE_CUBE_MAP, function.cubes);
   gl.ActiveTexture(GL_TEXTURE0);
-  const GlVertexArray nothing(gl);
-  gl.BindVertexArray(nothing.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
+  draw_triangle_by_id(gl);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   check_gl_error(gl, function.expression.c_str());
 
@@ -137,6 +131,16 @@ std::vector<glm::vec4> ShaderFunctions::evaluate(const ShaderFunction& function,
 
 glm::vec4 ShaderFunctions::evaluate(const ShaderFunction& function, const ShaderInput& input) {
   return evaluate(function, std::vector<ShaderInput>{input}).front();
+}
+
+Values ShaderFunctions::numbers(const ShaderFunction& function, const std::vector<ShaderInput>& inputs) {
+  Values out;
+  for (const glm::vec4& v : evaluate(function, inputs)) out.push_back(double(v.x));
+  return out;
+}
+
+double ShaderFunctions::number(const ShaderFunction& function, const ShaderInput& input) {
+  return double(evaluate(function, input).x);
 }
 
 }  // namespace atelier::stability

@@ -1,10 +1,10 @@
 // GLSL functions called like C++ functions: an expression evaluated by the driver for a list of inputs, all floats in
 // and all floats out, with nothing of the renderer in between.
 //
-//   const ShaderFunction cone{"#include \"02-blinn-phong/blinn_phong.glsl\"\n",
+//   const ShaderFunction cone{text_including("02-blinn-phong/blinn_phong.glsl"),
 //                             {"to_light", "axis", "cosines"},
 //                             "vec4(spot_cone(to_light.xyz, axis.xyz, cosines.x, cosines.y))"};
-//   shaders.evaluate(cone, {{{0, 0, -1, 0}, {0, 0, 1, 0}, {0.9f, 0.8f, 0, 0}}});   // one input: one vec4
+//   shaders.number(cone, {{0, 0, -1, 0}, {0, 0, 1, 0}, {0.9f, 0.8f, 0, 0}});   // one input: one number
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,7 +18,7 @@
 namespace atelier::stability {
 
 struct ShaderFunction {
-  std::string source;                   ///< GLSL in front of main: includes, helpers
+  std::string source;                   ///< GLSL in front of main, as text_including gives it; helpers
   std::vector<std::string> parameters;  ///< names of the vec4 that `expression` may use
   std::string expression;               ///< a vec4
   Defines defines{};
@@ -43,6 +43,9 @@ class ShaderFunctions {
   std::vector<glm::vec4> evaluate(const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
   /// For a single input.
   glm::vec4 evaluate(const ShaderFunction& function, const ShaderInput& input);
+  /// Of a function that gives a float: the first component.
+  Values numbers(const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
+  double number(const ShaderFunction& function, const ShaderInput& input);
 
   /// A program of three stages, from their text; kept as long as this object. Throws ShaderError.
   GLuint pipeline(const std::string& vertex, const std::string& geometry, const std::string& fragment);

@@ -26,6 +26,15 @@ double largest(const Values& actual, const Values& expected, Distance distance) 
 
 }  // namespace
 
+double count_outside(const Values& values, double low, double high) {
+  return double(std::count_if(values.begin(), values.end(), [=](double x) { return !(x >= low && x <= high); }));
+}
+
+double count_others(const Values& values, std::initializer_list<double> allowed) {
+  return double(std::count_if(values.begin(), values.end(),
+                              [=](double x) { return std::find(allowed.begin(), allowed.end(), x) == allowed.end(); }));
+}
+
 std::size_t count_non_finite(const Values& values) {
   return std::size_t(std::count_if(values.begin(), values.end(), [](double x) { return !std::isfinite(x); }));
 }
@@ -53,6 +62,11 @@ double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   if (sine == 0 && cosine == 0) return infinite;
   const double angle = std::atan2(sine, cosine) * 180 / std::numbers::pi;
   return std::isnan(angle) ? infinite : angle;
+}
+
+double not_rigid(const glm::mat4& m) {
+  const glm::dmat3 r(m);
+  return std::max(difference(values(glm::transpose(r) * r), values(glm::dmat3(1))), std::abs(glm::determinant(r) - 1));
 }
 
 }  // namespace atelier::stability

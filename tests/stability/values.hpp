@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <initializer_list>
 #include <vector>
 
 namespace atelier::stability {
@@ -39,6 +40,12 @@ Values all_values(const Container& items) {
   return out;
 }
 
+/// How many are outside of low..high; a NaN is.
+double count_outside(const Values& values, double low, double high);
+
+/// How many are none of the allowed numbers.
+double count_others(const Values& values, std::initializer_list<double> allowed);
+
 std::size_t count_non_finite(const Values& values);
 bool has_nan(const Values& values);
 
@@ -54,5 +61,9 @@ double each_relative(const Values& actual, const Values& expected);
 /// The angle between two directions of any length but zero, in degrees, exact for small angles too (by the arc tangent
 /// of sine and cosine); infinite where one is zero or not finite.
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b);
+
+/// How far m is from keeping lengths, angles and handedness: R^T R from the identity, det R from 1, for its upper left
+/// 3x3.
+double not_rigid(const glm::mat4& m);
 
 }  // namespace atelier::stability

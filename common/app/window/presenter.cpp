@@ -1,22 +1,12 @@
 #include "app/window/presenter.hpp"
 
 #include "gl/debug.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/shader.hpp"
 #include "gl/state.hpp"
 
 namespace atelier {
 namespace {
-
-/// One triangle that covers the whole of clip space: corners (-1,-1), (3,-1), (-1,3). A quad of two would shade the
-/// pixels along its diagonal twice.
-constexpr const char* vertex_text = R"(
-out vec2 v_texcoord;
-void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
-  v_texcoord = corner * 0.5 + 0.5;
-  gl_Position = vec4(corner, 0.0, 1.0);
-}
-)";
 
 constexpr const char* fragment_text = R"(
 in vec2 v_texcoord;
@@ -41,13 +31,13 @@ void main() {
 
 GlProgram build(Gl& gl) {
   const FindFile nothing = [](const std::string&) { return std::filesystem::path(); };
-  return build_program(gl, assemble_shader_text(nothing, vertex_text, "presenter, vertex shader", {}),
+  return build_program(gl, assemble_shader_text(nothing, full_screen_vertex_text, "presenter, vertex shader", {}),
                        assemble_shader_text(nothing, fragment_text, "presenter, fragment shader", {}));
 }
 
 }  // namespace
 
-Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) {
+Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)) {
   label(gl, GL_PROGRAM, program_.id(), "presenter");
 }
 
@@ -60,9 +50,7 @@ void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& 
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_encode"), encoding == Encoding::linear);
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, picture.colour_texture());
-  gl_.BindVertexArray(no_attributes_.id());
-  gl_.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl_.BindVertexArray(0);
+  draw_triangle_by_id(gl_);
   gl_.BindTexture(GL_TEXTURE_2D, 0);
 }
 

@@ -27,7 +27,6 @@ class Presenter {
  private:
   Gl& gl_;
   GlProgram program_;
-  GlVertexArray no_attributes_;  // a core context draws nothing without one
 };
 
 /// What the framebuffer that is bound shows, encoded as it is, row 0 at the top.

@@ -13,10 +13,6 @@ namespace {
 
 using atelier::numbers_of;
 
-Numbers numbers_of(const glm::vec3& v) {
-  return {v.x, v.y, v.z};
-}
-
 glm::vec3 vec3(const Arguments& in, const std::string& name) {
   return glm::vec3(in.vec3(name));
 }
@@ -32,17 +28,6 @@ Numbers numbers_of(const Mesh& mesh) {
       out.push_back(x);
   for (const std::uint32_t i : mesh.indices) out.push_back(i);
   return out;
-}
-
-/// {1} if the call throws std::invalid_argument, as the contract requires; {0} if it returns.
-template <class Call>
-Numbers refuses(Call&& call) {
-  try {
-    call();
-  } catch (const std::invalid_argument&) {
-    return {1};
-  }
-  return {0};
 }
 
 // ---- Probes of more than one line
@@ -145,7 +130,7 @@ Numbers probe_set_wireframe(ProbeContext& context, const Arguments& in) {
 }  // namespace
 
 std::map<std::string, Probe> transform_probes() {
-  const std::string glsl = "#include \"01-transforms/transforms.glsl\"\n";
+  const std::string glsl = text_including("01-transforms/transforms.glsl");
   return {
       {"clip_position", shader_probe(glsl, "clip_position(projection, view, model, position)", 4)},
       {"world_position", shader_probe(glsl, "vec4(world_position(model, position), 1.0)", 3)},

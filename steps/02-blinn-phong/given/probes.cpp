@@ -1,6 +1,6 @@
 #include "02-blinn-phong/given/probes.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "02-blinn-phong/blinn_phong.hpp"
 #include "gl/query.hpp"
@@ -11,10 +11,12 @@ namespace {
 
 /// The student's GLSL with one light of each type, highlights, and the given variants of power and normalisation.
 std::string glsl(int normalisation = 0, int power = 0) {
-  return fmt::format(
-      "#define POINT_LIGHTS 1\n#define SPOT_LIGHTS 1\n#define DIRECTIONAL_LIGHTS 1\n#define SPECULAR 1\n"
-      "#define NORMALISATION {}\n#define POWER {}\n#include \"02-blinn-phong/blinn_phong.glsl\"\n",
-      normalisation, power);
+  return text_including("02-blinn-phong/blinn_phong.glsl", {{"POINT_LIGHTS", "1"},
+                                                            {"SPOT_LIGHTS", "1"},
+                                                            {"DIRECTIONAL_LIGHTS", "1"},
+                                                            {"SPECULAR", "1"},
+                                                            {"NORMALISATION", fmt::to_string(normalisation)},
+                                                            {"POWER", fmt::to_string(power)}});
 }
 
 /// A grey ramp with a mark in its upper left corner, as a picture of the asked size.
@@ -101,8 +103,7 @@ std::map<std::string, Probe> blinn_phong_probes() {
       {"upload_texture", probe_upload_texture},
       {"cone_cosines",
        [](ProbeContext&, const Arguments& in) {
-         const glm::vec2 c = blinn_phong::cone_cosines(float(in.number("inner")), float(in.number("outer")));
-         return Numbers{c.x, c.y};
+         return numbers_of(blinn_phong::cone_cosines(float(in.number("inner")), float(in.number("outer"))));
        }},
       {"balance", probe_balance},
       {"power_table", probe_power_table},

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "gl/full_screen.hpp"
 #include "gl/state.hpp"
 
 namespace atelier {
@@ -38,11 +39,7 @@ void MapPicture::draw(Gl& gl, const Target& target, GLuint texture, const std::f
     const auto stage = [&](const std::string& text) {
       return assemble_shader_text(no_includes, text, "shadow map", {});
     };
-    // One triangle that covers everything.
-    program_ = build_program(
-        gl,
-        stage("void main() { gl_Position = vec4(4 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0.0, 1.0); }"),
-        stage(fragment_));
+    program_ = build_program(gl, stage(full_screen_vertex_text), stage(fragment_));
   }
   reset_state(gl);
   target.bind(gl);
@@ -55,10 +52,7 @@ void MapPicture::draw(Gl& gl, const Target& target, GLuint texture, const std::f
   if (bind) bind(uniforms);
   {
     const ReadAsStored stored(gl, kind_);
-    const GlVertexArray none(gl);
-    gl.BindVertexArray(none.id());
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
-    gl.BindVertexArray(0);
+    draw_triangle_by_id(gl);
   }
   gl.BindTexture(kind_, 0);
 }

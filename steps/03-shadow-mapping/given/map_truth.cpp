@@ -12,12 +12,6 @@ namespace {
 
 using Corners = std::vector<glm::dvec3>;  ///< of boxes, eight a box, world space
 
-Box3 box_of(const Mesh& mesh) {
-  Box3 box;
-  for (const Vertex& vertex : mesh.vertices) box.add(glm::dvec3(vertex.position));
-  return box;
-}
-
 /// The corners of the boxes of all nodes that `takes_part` picks: each box lies along its object's own axes.
 template <class Predicate>
 Corners corners_of_nodes(const Scene& scene, Predicate takes_part) {
@@ -26,28 +20,11 @@ Corners corners_of_nodes(const Scene& scene, Predicate takes_part) {
   for (std::size_t i = 0; i < scene.nodes.size(); ++i) {
     const Node& node = scene.nodes[i];
     if (!node.mesh || !takes_part(node)) continue;
-    const Box3 box = box_of(scene.meshes[std::size_t(*node.mesh)]);
+    const Box3 box = box_around(scene.meshes[std::size_t(*node.mesh)]);
     if (box.empty()) continue;
-    for (int k = 0; k < 8; ++k) {
-      const glm::dvec3 corner(k & 1 ? box.high.x : box.low.x, k & 2 ? box.high.y : box.low.y,
-                              k & 4 ? box.high.z : box.low.z);
-      corners.push_back(glm::dvec3(models[i] * glm::dvec4(corner, 1)));
-    }
+    for (const glm::dvec3& corner : corners_of(box, models[i])) corners.push_back(corner);
   }
   return corners;
-}
-
-struct Ball {
-  glm::dvec3 centre{0};
-  double radius = 0;
-};
-
-Ball ball_around(const Corners& corners) {
-  Box3 box;
-  for (const glm::dvec3& corner : corners) box.add(corner);
-  Ball ball{.centre = (box.low + box.high) / 2.0};
-  for (const glm::dvec3& corner : corners) ball.radius = std::max(ball.radius, glm::distance(corner, ball.centre));
-  return ball;
 }
 
 double depth_along(const ExactFrustum& frustum, const glm::dvec3& point) {

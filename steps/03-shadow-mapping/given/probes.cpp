@@ -1,11 +1,15 @@
 #include "03-shadow-mapping/given/probes.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <array>
+#include <vector>
 
-#include "03-shadow-mapping/given/depth_probe.hpp"
+#include "03-shadow-mapping/given/shaders_alone.hpp"
 #include "03-shadow-mapping/shadow_mapping.hpp"
+#include "app/probe_depth_pass.hpp"
+#include "app/probe_texture.hpp"
+#include "gl/depth_textures.hpp"
 #include "gl/query.hpp"
 
 namespace atelier {
@@ -14,12 +18,11 @@ namespace {
 
 using namespace shadow_mapping;
 
-/// The student's GLSL without lights of its own; `defines` choose the variant.
-std::string glsl(const std::string& defines = "") {
-  return "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n" +
-         std::string(defines.find("define PCF") == std::string::npos ? "#define PCF 1\n" : "") +
-         std::string(defines.find("define BIAS") == std::string::npos ? "#define BIAS 0\n" : "") + defines +
-         "#include \"03-shadow-mapping/shadow_mapping.glsl\"\n";
+/// The student's GLSL without lights of its own: one comparison, no bias, unless `defines` choose another variant.
+std::string glsl(Defines defines = {}, const std::string& before = "") {
+  defines.merge(Defines{{"PCF", "1"}, {"BIAS", "0"}});
+  defines.merge(no_shadow_lights());
+  return text_including("03-shadow-mapping/shadow_mapping.glsl", defines, before);
 }
 
 /// A light of GLSL, from the arguments eye, direction, half_width, near, far, width, directional and layer.
@@ -28,44 +31,21 @@ const std::string light_of_arguments =
 const std::string plain_light =
     "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, directional > 0.5, 0)";
 
-/// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over. Bound
-/// to texture unit 0 as long as it lives.
-class TestMaps {
- public:
-  TestMaps(Gl& gl, bool compare) : gl_(gl), texture_(gl) {
-    constexpr int side = 8;
-    std::array<float, 2 * side * side> depths{};
-    for (int i = 0; i < int(depths.size()); ++i)
-      depths[std::size_t(i)] = i >= side * side ? 0.5f : i % side < side / 2 ? 0.25f : 0.75f;
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture_.id());
-    gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, side, side, 2, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                  depths.data());
-    const GLint filter = compare ? GL_LINEAR : GL_NEAREST;
-    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      gl.TexParameteri(GL_TEXTURE_2D_ARRAY, name, filter);
-    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
-      gl.TexParameteri(GL_TEXTURE_2D_ARRAY, name, GL_CLAMP_TO_BORDER);
-    const glm::vec4 farthest(1);
-    gl.TexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, &farthest[0]);
-    if (compare) gl.TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-  }
-  ~TestMaps() { gl_.BindTexture(GL_TEXTURE_2D_ARRAY, 0); }
-  TestMaps(const TestMaps&) = delete;
-  TestMaps& operator=(const TestMaps&) = delete;
+/// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over.
+GlTexture two_maps(Gl& gl, bool compare) {
+  constexpr int side = 8;
+  std::array<float, 2 * side * side> depths{};
+  for (int i = 0; i < int(depths.size()); ++i)
+    depths[std::size_t(i)] = i >= side * side ? 0.5f : i % side < side / 2 ? 0.25f : 0.75f;
+  return make_depth_layers(gl, side, depths, compare);
+}
 
- private:
-  Gl& gl_;
-  GlTexture texture_;
-};
-
-/// A probe of a GLSL expression that reads the test maps.
-Probe map_probe(const std::string& defines, const std::string& expression, int components) {
-  const bool compare = defines.find("COMPARE") != std::string::npos;
-  return [=, probe = shader_probe(glsl(defines), expression, components)](ProbeContext& context, const Arguments& in) {
-    const TestMaps maps(context.gl, compare);
-    return probe(context, in);
-  };
+/// A probe of a GLSL expression, a float, that reads these maps.
+Probe map_probe(const Defines& defines, const std::string& expression, const std::string& before = "") {
+  const bool compare = defines.contains("COMPARE");
+  return with_texture(
+      GL_TEXTURE_2D_ARRAY, [compare](Gl& gl) { return two_maps(gl, compare); },
+      shader_probe(glsl(defines, before), "vec4(" + expression + ")", 1));
 }
 
 Sphere sphere_of(const Arguments& in) {
@@ -113,42 +93,27 @@ Numbers probe_make_shadow_maps(ProbeContext& context, const Arguments& in) {
   return out;
 }
 
-/// What the pass has set, on maps made by given code and after everything was set otherwise: viewport, depth test,
-/// function, writing and clamping, culling and its face; then the depths that layers 0 and 1 hold, which were 0.5.
+/// What the pass has set, on maps made by given code; then the depths that layers 0 and 1 hold, which were 0.5.
 Numbers probe_begin_depth_pass(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
-  constexpr int side = 4;
-  const GlTexture texture(gl);
-  const GlFramebuffer framebuffer(gl);
-  std::array<float, 2 * side * side> depths{};
-  depths.fill(0.5f);
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-  gl.TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, side, side, 2, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                depths.data());
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  set_against_depth_pass(gl);
-
-  begin_depth_pass(gl, {texture.id(), framebuffer.id(), side, 2}, in.integer("layer"), in.number("cull_front") > 0.5);
-
-  Numbers out = depth_pass_state(gl);
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, texture.id());
-  gl.GetTexImage(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
-  gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
+  constexpr int side = 4, layers = 2;
+  const GlTexture texture = make_depth_layers(gl, side, std::vector<float>(layers * side * side, 0.5f));
+  const GlFramebuffer framebuffer = make_depth_framebuffer(gl);
+  Numbers out = depth_pass_state(gl, [&] {
+    begin_depth_pass(gl, {texture.id(), framebuffer.id(), side, layers}, in.integer("layer"),
+                     in.number("cull_front") > 0.5);
+  });
+  const std::vector<float> depths = read_depth_layers(gl, texture.id());
   out.push_back(depths.front());
   out.push_back(depths.back());
-  end_depth_pass(gl);
   return out;
 }
 
 }  // namespace
 
 std::map<std::string, Probe> shadow_mapping_probes() {
-  const std::string pcf3 = "#define PCF 3\n", compare = "#define COMPARE 1\n";
-  const std::string pcss = "#define PCSS 1\n#define SAMPLES 16\n";
+  const Defines pcf3{{"PCF", "3"}}, compare{{"COMPARE", "1"}}, pcf3_compare{{"PCF", "3"}, {"COMPARE", "1"}};
+  const Defines pcss{{"PCSS", "1"}, {"SAMPLES", "16"}};
   std::map<std::string, Probe> probes = {
       {"make_shadow_maps", probe_make_shadow_maps},
       {"begin_depth_pass", probe_begin_depth_pass},
@@ -170,7 +135,7 @@ std::map<std::string, Probe> shadow_mapping_probes() {
        [](ProbeContext&, const Arguments& in) { return numbers_of(light_projection(frustum_of(in))); }},
       {"bias_matrix", [](ProbeContext&, const Arguments&) { return numbers_of(bias_matrix()); }},
       {"depth_pass_position",
-       shader_probe("#include \"03-shadow-mapping/depth_pass.glsl\"\n",
+       shader_probe(text_including("03-shadow-mapping/depth_pass.glsl"),
                     "depth_pass_position(position) + 0.0 * u_view[0] + 0.0 * u_projection[0]", 4)},
       {"shadow_coordinate", shader_probe(glsl(), "vec4(shadow_coordinate(world_to_map, position), 0.0)", 3)},
       {"map_width", shader_probe(glsl(), "vec4(map_width(" + plain_light + ", depth))", 1)},
@@ -180,17 +145,17 @@ std::map<std::string, Probe> shadow_mapping_probes() {
       {"plane_slope", shader_probe(glsl(), "vec4(plane_slope(dx, dy), 0.0, 0.0)", 2)},
       {"linear_depth", shader_probe(glsl(), "vec4(linear_depth(" + plain_light + ", z))", 1)},
       {"penumbra_width", shader_probe(glsl(), "vec4(penumbra_width(" + plain_light + ", receiver, blocker))", 1)},
-      {"compare_depth", map_probe("", "vec4(compare_depth(coordinate, int(layer)))", 1)},
-      {"compare_depth_bilinear", map_probe(compare, "vec4(compare_depth(coordinate, int(layer)))", 1)},
-      {"pcf", map_probe(pcf3, "vec4(pcf(coordinate, slope, int(layer)))", 1)},
-      {"pcf_bilinear", map_probe(pcf3 + compare, "vec4(pcf(coordinate, slope, int(layer)))", 1)},
-      {"blocker_depth", map_probe(pcss, "vec4(blocker_depth(" + plain_light + ", coordinate, slope, search))", 1)},
-      {"pcss", map_probe(pcss, "vec4(pcss(" + plain_light + ", coordinate, slope, receiver))", 1)},
+      {"compare_depth", map_probe({}, "compare_depth(coordinate, int(layer))")},
+      {"compare_depth_bilinear", map_probe(compare, "compare_depth(coordinate, int(layer))")},
+      {"pcf", map_probe(pcf3, "pcf(coordinate, slope, int(layer))")},
+      {"pcf_bilinear", map_probe(pcf3_compare, "pcf(coordinate, slope, int(layer))")},
+      {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light + ", coordinate, slope, search)")},
+      {"pcss", map_probe(pcss, "pcss(" + plain_light + ", coordinate, slope, receiver)")},
   };
   for (int bias = 0; bias <= 3; ++bias)
     probes[fmt::format("shadow_factor_{}", bias)] =
-        map_probe(fmt::format("#define BIAS {}\n", bias) + "#define PCF 1\n" + bias_as_argument,
-                  "vec4(shadow_factor(" + light_of_arguments + ", position, normal, to_light))", 1);
+        map_probe({{"BIAS", fmt::to_string(bias)}},
+                  "shadow_factor(" + light_of_arguments + ", position, normal, to_light)", bias_as_argument);
   return probes;
 }
 

@@ -8,10 +8,6 @@ namespace atelier {
 
 namespace {
 
-glm::dvec3 corner(const Box3& box, int i) {
-  return {i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z};
-}
-
 /// How far a point of clip space lies within the i-th of the six planes -w <= x, x <= w, ...; negative outside.
 double within(const glm::dvec4& clip, int i) {
   return i % 2 == 0 ? clip.w + clip[i / 2] : clip.w - clip[i / 2];
@@ -53,12 +49,6 @@ struct Cutter {
   }
 };
 
-Box3 box_around(std::span<const glm::dvec3> points) {
-  Box3 box;
-  for (const glm::dvec3& point : points) box.add(point);
-  return box;
-}
-
 /// Columns: two directions perpendicular to a unit vector and to each other, and the vector. The first two lie along
 /// the map's edges, as the light's look_at has them: a rectangle that is measured along others would not fit into it.
 glm::dmat3 frame_around(const glm::dvec3& z) {
@@ -77,16 +67,13 @@ bool receives(const Scene& scene, const ScenePainter::Item& item) {
   return scene.nodes[std::size_t(item.node)].receives_shadow;
 }
 
-std::vector<glm::dvec3> corners_of(const ScenePainter::Item& item) {
-  std::vector<glm::dvec3> corners;
-  for (int i = 0; i < 8; ++i)
-    corners.push_back(glm::dvec3(glm::dmat4(item.model) * glm::dvec4(corner(item.box, i), 1)));
-  return corners;
+std::array<glm::dvec3, 8> corners_of(const ScenePainter::Item& item) {
+  return corners_of(item.box, glm::dmat4(item.model));
 }
 
 std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Viewpoint& viewpoint) {
   const Cutter cutter(viewpoint);
-  const std::vector<glm::dvec3> corners = corners_of(item);
+  const std::array<glm::dvec3, 8> corners = corners_of(item);
   // Six faces by their corners' numbers, in order around the face.
   static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
                                       {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
@@ -98,8 +85,8 @@ std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Vi
   }
   // The view's own corners, where the box reaches around them.
   const glm::dmat4 world_to_object = glm::inverse(glm::dmat4(item.model));
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 p = without_w(cutter.to_world * glm::dvec4(corner({glm::dvec3(-1), glm::dvec3(1)}, i), 1));
+  for (const glm::dvec3& corner : corners_of(Box3{glm::dvec3(-1), glm::dvec3(1)})) {
+    const glm::dvec3 p = without_w(cutter.to_world * glm::dvec4(corner, 1));
     const glm::dvec3 inside = glm::dvec3(world_to_object * glm::dvec4(p, 1));
     if (glm::all(glm::greaterThanEqual(inside, item.box.low)) && glm::all(glm::lessThanEqual(inside, item.box.high)))
       seen.push_back(p);
@@ -161,11 +148,8 @@ bool looks_into(const Pieces& pieces, const glm::mat4& view, float aside) {
 
 std::optional<shadow_mapping::Sphere> sphere_around(std::span<const glm::dvec3> points) {
   if (points.empty()) return {};
-  const Box3 box = box_around(points);
-  const glm::dvec3 centre = (box.low + box.high) * 0.5;
-  double radius = 0;
-  for (const glm::dvec3& point : points) radius = std::max(radius, glm::distance(point, centre));
-  return shadow_mapping::Sphere{glm::vec3(centre), float(radius)};
+  const Ball ball = ball_around(points);
+  return shadow_mapping::Sphere{glm::vec3(ball.centre), float(ball.radius)};
 }
 
 float radians_across(const shadow_mapping::Sphere& sphere, const glm::vec3& from) {

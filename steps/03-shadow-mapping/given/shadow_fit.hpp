@@ -1,6 +1,7 @@
 // What a light's map must cover. Given.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,7 +15,7 @@ bool casts(const Scene& scene, const ScenePainter::Item& item);
 bool receives(const Scene& scene, const ScenePainter::Item& item);
 
 /// The corners of an item's box, in world space.
-std::vector<glm::dvec3> corners_of(const ScenePainter::Item& item);
+std::array<glm::dvec3, 8> corners_of(const ScenePainter::Item& item);
 
 /// The corners of that part of an item's box which the camera sees: the box, cut by the six planes of the view. None
 /// where it is out of sight.

@@ -37,7 +37,7 @@ void ShadowedSurface::moved(const Scene&) {
 
 namespace {
 
-void append(std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& more) {
+void append(std::vector<glm::dvec3>& points, std::span<const glm::dvec3> more) {
   points.insert(points.end(), more.begin(), more.end());
 }
 
@@ -53,7 +53,7 @@ struct ShadowedSurface::Extents {
       : origin(-viewpoint.origin) {
     for (const ScenePainter::Item& item : items) {
       if (item.box.empty()) continue;
-      const std::vector<glm::dvec3> corners = corners_of(item);
+      const std::array<glm::dvec3, 8> corners = corners_of(item);
       if (casts(scene, item) || receives(scene, item)) append(all, corners);
       if (casts(scene, item)) append(casters, corners);
       if (fit == ShadowSettings::Fit::visible && receives(scene, item)) append(seen, visible_corners(item, viewpoint));

@@ -1,14 +1,17 @@
 #include "04-point-shadows/given/probes.hpp"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <vector>
 
-#include "03-shadow-mapping/given/depth_probe.hpp"
+#include "03-shadow-mapping/given/shaders_alone.hpp"
 #include "04-point-shadows/point_shadows.hpp"
+#include "app/probe_depth_pass.hpp"
+#include "app/probe_texture.hpp"
+#include "gl/depth_textures.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/query.hpp"
-#include "gl/shader.hpp"
 
 namespace atelier {
 
@@ -18,59 +21,29 @@ using namespace point_shadows;
 
 /// The student's GLSL with one cube; `before` stands between its defines and itself.
 std::string glsl(int bias, int pcf, bool compare, const std::string& before = "") {
-  return fmt::format(
-             "#define POINT_LIGHTS 0\n#define SPOT_LIGHTS 0\n#define DIRECTIONAL_LIGHTS 0\n#define SHADOW_LIGHTS 0\n"
-             "#define CUBES 1\n#define BIAS {}\n#define PCF {}\n{}",
-             bias, pcf, compare ? "#define COMPARE 1\n" : "") +
-         before + "#include \"04-point-shadows/point_shadows.glsl\"\n";
+  Defines defines = no_shadow_lights();
+  defines.merge(Defines{{"CUBES", "1"}, {"BIAS", fmt::to_string(bias)}, {"PCF", fmt::to_string(pcf)}});
+  if (compare) defines.emplace("COMPARE", "1");
+  return text_including("04-point-shadows/point_shadows.glsl", defines, before);
 }
 
 const std::string light_of_arguments = "CubeLight(light_position, far, 0)";
 
 /// A cube of 8 x 8 texels a face that holds 0.25 in its face +x, 0.5 in -x, 0.75 in +y, and 1 in the others, but for
-/// the half of +z that lies towards +x, which is 0.25. Bound to texture unit 0, with filters that reach across edges,
-/// as long as it lives.
-class TestCube {
- public:
-  TestCube(Gl& gl, bool compare) : gl_(gl), texture_(gl), seamless_before_(gl.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS)) {
-    constexpr int side = 8;
-    constexpr std::array<float, 6> depths{0.25f, 0.5f, 0.75f, 1, 1, 1};
-    gl.ActiveTexture(GL_TEXTURE0);
-    gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture_.id());
-    for (int face = 0; face < 6; ++face) {
-      std::array<float, side * side> texels;
-      for (int i = 0; i < side * side; ++i)
-        texels[std::size_t(i)] = face == 4 && i % side >= side / 2 ? 0.25f : depths[std::size_t(face)];
-      gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT32F, side, side, 0,
-                    GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
-    }
-    const GLint filter = compare ? GL_LINEAR : GL_NEAREST;
-    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-      gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, filter);
-    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
-      gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, GL_CLAMP_TO_EDGE);
-    if (compare) gl.TexParameteri(GL_TEXTURE_CUBE_MAP, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
-    gl.Enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  }
-  ~TestCube() {
-    gl_.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
-    if (!seamless_before_) gl_.Disable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
-  }
-  TestCube(const TestCube&) = delete;
-  TestCube& operator=(const TestCube&) = delete;
+/// the half of +z that lies towards +x, which is 0.25.
+GlTexture uneven_cube(Gl& gl, bool compare) {
+  constexpr int side = 8;
+  std::vector<float> depths = even_faces(side, {0.25f, 0.5f, 0.75f, 1, 1, 1});
+  for (int i = 0; i < side * side; ++i)
+    if (i % side >= side / 2) depths[std::size_t(4 * side * side + i)] = 0.25f;
+  return make_depth_cube(gl, side, depths, compare);
+}
 
- private:
-  Gl& gl_;
-  GlTexture texture_;
-  bool seamless_before_;
-};
-
-/// A probe of a GLSL expression that reads the test cube.
+/// A probe of a GLSL expression that reads this cube.
 Probe cube_probe(const std::string& preamble, bool compare, const std::string& expression) {
-  return [=, probe = shader_probe(preamble, expression, 1)](ProbeContext& context, const Arguments& in) {
-    const TestCube cube(context.gl, compare);
-    return probe(context, in);
-  };
+  return with_texture(
+      GL_TEXTURE_CUBE_MAP, [compare](Gl& gl) { return uneven_cube(gl, compare); },
+      shader_probe(preamble, expression, 1));
 }
 
 /// Filters, wraps, compare mode and function of the cube, edge and format of face -z; whether the framebuffer is
@@ -102,38 +75,17 @@ Numbers probe_make_cube_map(ProbeContext& context, const Arguments& in) {
   return out;
 }
 
-/// What the pass has set, on a cube made by given code and after everything was set otherwise: viewport, depth test,
-/// function, writing and clamping, culling and its face; then what the six faces hold, which was 0.5.
+/// What the pass has set, on a cube made by given code; then what the six faces hold, which was 0.5.
 Numbers probe_begin_cube_pass(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   constexpr int side = 4;
-  const GlTexture texture(gl);
-  const GlFramebuffer framebuffer(gl);
-  std::array<float, side * side> depths{};
-  depths.fill(0.5f);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-  for (int face = 0; face < 6; ++face)
-    gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT32F, side, side, 0,
-                  GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, GL_NEAREST);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
-  set_against_depth_pass(gl);
-
-  begin_cube_pass(gl, {texture.id(), framebuffer.id(), side}, in.integer("face"), in.number("cull_front") > 0.5);
-
-  Numbers out = depth_pass_state(gl);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-  for (int face = 0; face < 6; ++face) {
-    gl.GetTexImage(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
-    out.push_back(depths[5]);
-  }
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
-  end_depth_pass(gl);
+  const GlTexture texture = make_depth_cube(gl, side, std::vector<float>(6 * side * side, 0.5f));
+  const GlFramebuffer framebuffer = make_depth_framebuffer(gl);
+  Numbers out = depth_pass_state(gl, [&] {
+    begin_cube_pass(gl, {texture.id(), framebuffer.id(), side}, in.integer("face"), in.number("cull_front") > 0.5);
+  });
+  const std::vector<float> depths = read_depth_cube(gl, texture.id());
+  for (std::size_t face = 0; face < 6; ++face) out.push_back(depths[face * side * side + 5]);
   return out;
 }
 
@@ -182,40 +134,26 @@ Numbers probe_draw_in_faces(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   constexpr int side = 8;
   const GlProgram program = spreading_program(context);
-  const GlTexture texture(gl);
-  const GlFramebuffer framebuffer(gl);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture.id());
-  for (int face = 0; face < 6; ++face)
-    gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT32F, side, side, 0,
-                  GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
-  for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_CUBE_MAP, name, GL_NEAREST);
+  const GlTexture texture = make_depth_cube(gl, side, std::vector<float>(6 * side * side, 1.0f));
+  const GlFramebuffer framebuffer = make_depth_framebuffer(gl);
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   gl.FramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, texture.id(), 0);
-  gl.DrawBuffer(GL_NONE);
-  gl.ReadBuffer(GL_NONE);
   gl.Viewport(0, 0, side, side);
   gl.Enable(GL_DEPTH_TEST);
   gl.Disable(GL_CULL_FACE);
-  gl.ClearDepth(1);
-  gl.Clear(GL_DEPTH_BUFFER_BIT);
 
   set_faces(gl, program, side, in.numbers("wanted"));
-  const GlVertexArray nothing(gl);
-  gl.BindVertexArray(nothing.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
+  draw_triangle_by_id(gl);
   check_gl_error(gl, "drawing a triangle into the faces of a cube");
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 
+  const std::vector<float> depths = read_depth_cube(gl, texture.id());
   Numbers out;
   for (int face = 0; face < 6; ++face) {
-    std::array<float, side * side> depths{};
-    gl.GetTexImage(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
-    out.push_back(double(std::count_if(depths.begin(), depths.end(), [](float depth) { return depth < 1; })));
-    for (const int column : {0, 3, 7}) out.push_back(depths[std::size_t(face * side + column)]);
+    const float* texels = &depths[std::size_t(face * side * side)];
+    out.push_back(double(std::count_if(texels, texels + side * side, [](float depth) { return depth < 1; })));
+    for (const int column : {0, 3, 7}) out.push_back(texels[face * side + column]);
   }
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
   return out;
 }
 
@@ -234,7 +172,7 @@ Numbers probe_cone_around(ProbeContext&, const Arguments& in) {
 }  // namespace
 
 std::map<std::string, Probe> point_shadow_probes() {
-  const std::string pass = "#define FRAGMENT\n#include \"04-point-shadows/cube_pass.glsl\"\n";
+  const std::string pass = text_including("04-point-shadows/cube_pass.glsl", {{"FRAGMENT", ""}});
   std::map<std::string, Probe> probes = {
       {"make_cube_map", probe_make_cube_map},
       {"begin_cube_pass", probe_begin_cube_pass},

@@ -1,10 +1,6 @@
 // upload_triangle, upload_mesh, set_wireframe: empty and large meshes, values that are no numbers, states set twice.
-#include <fmt/format.h>
-
-#include <array>
 #include <cstring>
 
-#include "gl/objects.hpp"
 #include "stability/01-transforms/rows.hpp"
 
 namespace atelier::stability {

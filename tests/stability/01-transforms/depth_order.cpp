@@ -3,8 +3,6 @@
 //
 // A pair is misordered where the depth buffer does not hold the nearer point strictly nearer: a tie is decided by who
 // was drawn first. N. Reed, "Depth Precision Visualized", 2015, shows why reversing helps floats and not integers.
-#include <fmt/format.h>
-
 #include "gl/target.hpp"
 #include "stability/01-transforms/rows.hpp"
 

@@ -1,6 +1,4 @@
 // world_matrices: deep, wide, in any order, and hierarchies that cannot be.
-#include <fmt/format.h>
-
 #include <climits>
 #include <numeric>
 

@@ -1,8 +1,5 @@
 // translation, rotation, scaling, compose.
-#include <fmt/format.h>
-
-#include <numbers>
-
+#include "scene/box.hpp"
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 
@@ -108,8 +105,7 @@ void add_scaling_rows(Table& table) {
 double compose_error(const glm::vec3& offset, const glm::vec3& axis, float angle, const glm::vec3& factors) {
   const glm::dmat4 m(compose(offset, axis, angle, factors));
   double worst = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const glm::dvec3 p(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+  for (const glm::dvec3& p : corners_of(Box3{glm::dvec3(-1), glm::dvec3(1)})) {
     const glm::dvec3 expected = exact::rotated(axis, angle, p * glm::dvec3(factors)) + glm::dvec3(offset);
     const glm::dvec3 size = glm::abs(glm::dvec3(offset)) + glm::length(glm::dvec3(factors));
     worst = std::max(worst, difference(values(glm::dvec3(m * glm::dvec4(p, 1)) / size), values(expected / size)));

@@ -1,8 +1,4 @@
 // cylinder_wall and rectangle.
-#include <fmt/format.h>
-
-#include <numbers>
-
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 

@@ -1,6 +1,4 @@
 // normal_matrix and the shader's world_normal: flattened, mirrored, tiny and enormous models.
-#include <fmt/format.h>
-
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 
@@ -101,7 +99,7 @@ void add_matrix_rows_of_normals(Table& table) {
 void add_normal_shader_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("world_normal (GLSL)");
   const auto world_normal = [&shaders](const glm::mat3& m, const glm::vec3& normal) {
-    const ShaderFunction function{"#include \"01-transforms/transforms.glsl\"\n",
+    const ShaderFunction function{text_including("01-transforms/transforms.glsl"),
                                   {"m0", "m1", "m2", "normal"},
                                   "vec4(world_normal(mat3(m0.xyz, m1.xyz, m2.xyz), normal.xyz), 0.0)"};
     return glm::vec3(

@@ -1,8 +1,4 @@
 // perspective, perspective_reversed, orthographic: from the narrowest to the widest that makes sense, and refusals.
-#include <fmt/format.h>
-
-#include <numbers>
-
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 

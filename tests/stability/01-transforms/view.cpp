@@ -1,6 +1,4 @@
 // look_at: cameras that look along up, at themselves, from far away.
-#include <fmt/format.h>
-
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 

@@ -1,6 +1,4 @@
 // window_position and relative_to_eye.
-#include <fmt/format.h>
-
 #include "stability/01-transforms/rows.hpp"
 
 namespace atelier::stability {

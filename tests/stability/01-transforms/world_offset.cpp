@@ -1,7 +1,5 @@
 // The shader's clip_position and world_position, and the whole way from an object to its pixel far from the origin:
 // with matrices of world space, and relative to the camera. Both are computed by the driver.
-#include <fmt/format.h>
-
 #include "stability/01-transforms/exact.hpp"
 #include "stability/01-transforms/rows.hpp"
 
@@ -9,7 +7,7 @@ namespace atelier::stability {
 
 namespace {
 
-const std::string include = "#include \"01-transforms/transforms.glsl\"\n";
+const std::string include = text_including("01-transforms/transforms.glsl");
 
 const ShaderFunction clip_function{
     include,

@@ -1,8 +1,4 @@
 // srgb_encode and srgb_decode, on the CPU and in the shader: at the joint of the two branches, below 0, above 1.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/02-blinn-phong/rows.hpp"
 
 namespace atelier::stability {

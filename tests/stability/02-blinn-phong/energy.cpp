@@ -1,9 +1,4 @@
 // balance, power_table, specular_normalisation: no surface gives back more than it got.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "stability/02-blinn-phong/rows.hpp"
 
 namespace atelier::stability {
@@ -163,7 +158,7 @@ void add_normalisation_rows(Table& table, ShaderFunctions& shaders) {
   const auto factor = [&shaders](int kind, float exponent) {
     const ShaderFunction function =
         blinn_phong_function({"n"}, "vec4(specular_normalisation(n.x))", {.normalisation = kind});
-    return double(shaders.evaluate(function, ShaderInput{glm::vec4(exponent)}).x);
+    return shaders.number(function, ShaderInput{glm::vec4(exponent)});
   };
   const Bound rounded{1e-6, "relative", "two sums, two products and a quotient; exp2 good to 4 ulp vanishes beside n"};
   group.equals("none: always 1", [=] { return Values{factor(0, 0), factor(0, 1e6f)}; }, {1, 1});

@@ -2,11 +2,6 @@
 //
 // The truth is exp(n/2 log1p(-s)) in double precision, with s the squared sine between the two vectors as the floats
 // have them: so the error is the function's alone, and not that of vectors which cannot be rounded any better.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "gl/objects.hpp"
 #include "stability/02-blinn-phong/rows.hpp"
 
 namespace atelier::stability {
@@ -61,8 +56,7 @@ double highlight_error(ShaderFunctions& shaders, Power power, double exponent, d
 }
 
 double single(ShaderFunctions& shaders, Power power, const glm::vec3& normal, const glm::vec3& half_vector, float n) {
-  return double(
-      shaders.evaluate(highlight_function(power), {glm::vec4(normal, 0), glm::vec4(half_vector, 0), glm::vec4(n)}).x);
+  return shaders.number(highlight_function(power), {glm::vec4(normal, 0), glm::vec4(half_vector, 0), glm::vec4(n)});
 }
 
 Sweep exponent_sweep(ShaderFunctions& shaders) {
@@ -159,7 +153,7 @@ void add_table_rows(Table& table, ShaderFunctions& shaders) {
                                                                             Wrap::clamp_to_edge, Filter::linear));
           ShaderFunction function = highlight_function(by_table);
           function.textures = {{"u_power_table", texture.id()}};
-          out.push_back(shaders.evaluate(function, {glm::vec4(0, 1, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(7)}).x);
+          out.push_back(shaders.number(function, {glm::vec4(0, 1, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(7)}));
         }
         return out;
       },

@@ -1,12 +1,8 @@
 // The table of step 02, a function for each part of its contract.
 #pragma once
 
-#include <limits>
-
 #include "02-blinn-phong/blinn_phong.hpp"
-#include "stability/random.hpp"
-#include "stability/shader_function.hpp"
-#include "stability/table.hpp"
+#include "stability/rows.hpp"
 
 namespace atelier::stability {
 
@@ -17,11 +13,6 @@ void add_light_rows(Table& table, ShaderFunctions& shaders);
 void add_highlight_rows(Table& table, ShaderFunctions& shaders);
 void add_reflected_rows(Table& table, ShaderFunctions& shaders);
 void add_shade_rows(Table& table, ShaderFunctions& shaders);
-
-inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
-inline constexpr float infinite = std::numeric_limits<float>::infinity();
-inline constexpr float largest_float = std::numeric_limits<float>::max();
-inline constexpr float denormal = 1e-40f;
 
 /// Which variant of the shader: the defines that the program sets.
 struct Variant {

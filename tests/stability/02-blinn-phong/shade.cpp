@@ -1,9 +1,5 @@
 // shade: the whole sum, with no light and with 64 of each kind, touching the surface, far from the origin, and with
 // lights that something stands before.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/02-blinn-phong/rows.hpp"
 
 namespace atelier::stability {

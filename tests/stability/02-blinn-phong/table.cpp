@@ -1,6 +1,4 @@
 // Step 02's table of extremes.
-#include <fmt/format.h>
-
 #include "stability/02-blinn-phong/rows.hpp"
 #include "stability/entry.hpp"
 
@@ -8,8 +6,8 @@ namespace atelier::stability {
 
 ShaderFunction blinn_phong_function(std::vector<std::string> parameters, std::string expression, const Variant& variant,
                                     const std::string& helpers) {
-  ShaderFunction function{fmt::format("#include \"02-blinn-phong/blinn_phong.glsl\"\n{}", helpers),
-                          std::move(parameters), std::move(expression)};
+  ShaderFunction function{text_including("02-blinn-phong/blinn_phong.glsl") + helpers, std::move(parameters),
+                          std::move(expression)};
   function.defines = {{"POWER", fmt::to_string(variant.power)},
                       {"NORMALISATION", fmt::to_string(variant.normalisation)},
                       {"POINT_LIGHTS", fmt::to_string(variant.point_lights)},

@@ -1,9 +1,4 @@
 // mipmaps and upload_texture: sides of 1, odd sides, values that are no colours.
-#include <fmt/format.h>
-
-#include <cmath>
-
-#include "gl/objects.hpp"
 #include "stability/02-blinn-phong/rows.hpp"
 
 namespace atelier::stability {

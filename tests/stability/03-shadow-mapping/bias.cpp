@@ -1,10 +1,5 @@
 // constant_bias, slope_bias, normal_offset and plane_slope: grazing light, no normal, planes that the light sees edge
 // on.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {

@@ -1,9 +1,4 @@
 // shadow_factor: every bias with no normal, upon the light, at grazing light, on a map of one texel.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {
@@ -39,9 +34,7 @@ class Factor {
       input.insert(input.end(), {glm::vec4(p.position, 1), glm::vec4(p.normal, 0), glm::vec4(p.to_light, 0)});
       inputs.push_back(std::move(input));
     }
-    Values out;
-    for (const glm::vec4& v : shaders_->evaluate(function_, inputs)) out.push_back(double(v.x));
-    return out;
+    return shaders_->numbers(function_, inputs);
   }
 
  private:
@@ -53,9 +46,7 @@ class Factor {
 
 /// How many of the numbers are no share, 0..1.
 Values no_shares(const Values& numbers) {
-  double count = 0;
-  for (const double v : numbers) count += !(v >= 0 && v <= 1);
-  return {count};
+  return {count_outside(numbers, 0, 1)};
 }
 
 void add_factor_rows(Group& group, ShaderFunctions& shaders) {

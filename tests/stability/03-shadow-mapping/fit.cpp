@@ -1,10 +1,5 @@
 // fit_spot and fit_directional: lights within, upon and far away from what they are fitted to; spheres of no size and
 // of all.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {

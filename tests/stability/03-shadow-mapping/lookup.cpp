@@ -1,6 +1,4 @@
 // compare_depth and pcf: maps of one texel, points beside the map and beyond its far plane, depths that are equal.
-#include <fmt/format.h>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {
@@ -15,7 +13,7 @@ class Lookup {
         map_(std::make_shared<DepthMap>(shaders.gl(), depths, variant.compare)),
         function_(map_->read_by(shadow_function({"at", "slope"}, fmt::format("vec4({})", call), variant))) {}
   Values operator()(const glm::vec3& at, const glm::vec2& slope = {}) const {
-    return {double(shaders_->evaluate(function_, {glm::vec4(at, 0), glm::vec4(slope, 0, 0)}).x)};
+    return {shaders_->number(function_, {glm::vec4(at, 0), glm::vec4(slope, 0, 0)})};
   }
 
  private:

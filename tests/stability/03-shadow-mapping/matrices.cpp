@@ -1,8 +1,4 @@
 // light_view, light_projection, bias_matrix and depth_pass_position: straight down, far away, flat as paper.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {
@@ -10,12 +6,6 @@ namespace atelier::stability {
 using namespace shadow_mapping;
 
 namespace {
-
-/// How far a matrix is from keeping lengths, angles and handedness.
-double not_rigid(const glm::mat4& view) {
-  const glm::dmat3 r(view);
-  return std::max(difference(values(glm::transpose(r) * r), values(glm::dmat3(1))), std::abs(glm::determinant(r) - 1));
-}
 
 /// The light's way in its own space, which is -z.
 double off_axis(const glm::vec3& eye, const glm::vec3& direction) {
@@ -85,11 +75,10 @@ void add_projection_rows(Group& group) {
 void add_depth_pass_rows(Group& group, ShaderFunctions& shaders) {
   const auto position = [&shaders](const glm::mat4& model, const glm::mat4& view, const glm::mat4& projection,
                                    const glm::vec3& at) {
-    ShaderFunction function{
-        "uniform mat4 u_model, u_light_view, u_light_projection;\n"
-        "#include \"03-shadow-mapping/depth_pass.glsl\"\n",
-        {"position"},
-        "depth_pass_position(position.xyz)"};
+    ShaderFunction function{text_including("03-shadow-mapping/depth_pass.glsl", {},
+                                           "uniform mat4 u_model, u_light_view, u_light_projection;\n"),
+                            {"position"},
+                            "depth_pass_position(position.xyz)"};
     function.uniforms = {
         {"u_model", values(model)}, {"u_light_view", values(view)}, {"u_light_projection", values(projection)}};
     return values(shaders.evaluate(function, {glm::vec4(at, 1)}));

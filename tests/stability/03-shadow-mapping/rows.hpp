@@ -1,16 +1,8 @@
 // The table of step 03, a function for each part of its contract.
 #pragma once
 
-#include <cmath>
-#include <initializer_list>
-#include <limits>
-#include <numbers>
-
 #include "03-shadow-mapping/shadow_mapping.hpp"
-#include "gl/objects.hpp"
-#include "stability/random.hpp"
-#include "stability/shader_function.hpp"
-#include "stability/table.hpp"
+#include "stability/rows.hpp"
 
 namespace atelier::stability {
 
@@ -22,8 +14,6 @@ void add_bias_rows(Table& table, ShaderFunctions& shaders);
 void add_lookup_rows(Table& table, ShaderFunctions& shaders);
 void add_soft_rows(Table& table, ShaderFunctions& shaders);
 void add_factor_rows(Table& table, ShaderFunctions& shaders);
-
-inline constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 
 /// The direction this many degrees off (0, 1, 0), in the plane of x and y.
 inline glm::vec3 slanted(double degrees) {

@@ -1,8 +1,4 @@
 // snap_to_texels: maps of one texel and of 8192, far from the origin, of any size; what it must not change.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {

@@ -1,9 +1,5 @@
 // linear_depth, penumbra_width, blocker_depth and pcss: planes close together and far apart, lights without width,
 // blockers where the light is.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/03-shadow-mapping/rows.hpp"
 
 namespace atelier::stability {
@@ -17,7 +13,7 @@ class OfLight {
   double operator()(const glm::vec4& light, bool sun, const glm::vec4& v) const {
     const ShaderFunction function =
         shadow_function({"in_light", "directional", "v"}, "vec4(" + call_ + ")", {.samples = 4});
-    return double(shaders_->evaluate(function, {light, glm::vec4(sun ? 1 : 0), v}).x);
+    return shaders_->number(function, {light, glm::vec4(sun ? 1 : 0), v});
   }
 
  private:
@@ -75,7 +71,7 @@ class SoftMap {
                                       fmt::format(fmt::runtime(call), plain_light), {.samples = 16, .random = random}));
   }
   double operator()(const glm::vec4& light, bool sun, const glm::vec3& at, const glm::vec4& v) const {
-    return double(shaders_->evaluate(function_, {light, glm::vec4(sun ? 1 : 0), glm::vec4(at, 0), v}).x);
+    return shaders_->number(function_, {light, glm::vec4(sun ? 1 : 0), glm::vec4(at, 0), v});
   }
 
  private:

@@ -1,9 +1,4 @@
 // cone_around: no spheres, a lamp within one, all round, and at every size.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "stability/04-point-shadows/rows.hpp"
 
 namespace atelier::stability {

@@ -1,23 +1,13 @@
 // make_cube_map, begin_cube_pass: one texel a face, odd sizes, every format, each face alone.
-#include <fmt/format.h>
-
+#include "gl/depth_textures.hpp"
 #include "stability/04-point-shadows/rows.hpp"
 
 namespace atelier::stability {
 
 using point_shadows::begin_cube_pass;
-using point_shadows::CubeMap;
 using point_shadows::make_cube_map;
 
 namespace {
-
-/// Takes over the objects, so that a row leaves nothing behind.
-struct OwnedCube {
-  OwnedCube(Gl& gl, const CubeMap& made) : names(made), texture(gl, made.texture), framebuffer(gl, made.framebuffer) {}
-  CubeMap names;
-  GlTexture texture;
-  GlFramebuffer framebuffer;
-};
 
 /// Whether the framebuffer is complete, the edge of face -z, what is bound as a cube afterwards, and OpenGL's error.
 Values after_making(Gl& gl, int resolution, GLenum format, bool compare) {
@@ -35,25 +25,14 @@ Values after_making(Gl& gl, int resolution, GLenum format, bool compare) {
 
 /// How many texels of each face are 1 after a cube full of 0 was made ready for drawing `face`.
 Values texels_cleared(Gl& gl, int resolution, int face) {
-  const OwnedCube cube(gl, make_cube_map(gl, resolution, GL_DEPTH_COMPONENT32F, false));
-  std::vector<float> texels(std::size_t(resolution) * std::size_t(resolution), 0.0f);
-  const auto image = [](int f) { return GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + f); };
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.id());
-  for (int f = 0; f < 6; ++f)
-    gl.TexImage2D(image(f), 0, GL_DEPTH_COMPONENT32F, resolution, resolution, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                  texels.data());
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+  const OwnedCube cube = filled_cube(gl, resolution, GL_DEPTH_COMPONENT32F, false, {});
   begin_cube_pass(gl, cube.names, face, false);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   gl.Disable(GL_DEPTH_CLAMP);
   gl.Disable(GL_DEPTH_TEST);
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture.id());
-  Values counts;
-  for (int f = 0; f < 6; ++f) {
-    gl.GetTexImage(image(f), 0, GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
-    counts.push_back(double(std::count(texels.begin(), texels.end(), 1.0f)));
-  }
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+  const std::vector<float> texels = read_depth_cube(gl, cube.texture.id());
+  Values counts(6, 0);
+  for (std::size_t i = 0; i < texels.size(); ++i) counts[i / (texels.size() / 6)] += texels[i] == 1;
   return counts;
 }
 

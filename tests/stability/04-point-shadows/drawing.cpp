@@ -1,9 +1,6 @@
 // draw_in_faces, stored_distance: a shell around the lamp, drawn by the step's own functions into all faces at once and
 // read back texel by texel: no hole at an edge, at no size, far from the origin, and with things that touch the lamp.
-#include <fmt/format.h>
-
-#include <cmath>
-
+#include "gl/depth_textures.hpp"
 #include "scene/shapes.hpp"
 #include "stability/04-point-shadows/rows.hpp"
 
@@ -46,9 +43,7 @@ std::vector<glm::vec3> shell(const glm::vec3& lamp, float radius) {
 /// All texels that the drawing leaves, face by face.
 Values drawn(ShaderFunctions& shaders, const Drawing& drawing) {
   Gl& gl = shaders.gl();
-  const CubeMap cube = make_cube_map(gl, drawing.resolution, GL_DEPTH_COMPONENT32F, false);
-  const GlTexture texture(gl, cube.texture);
-  const GlFramebuffer framebuffer(gl, cube.framebuffer);
+  const OwnedCube cube(gl, make_cube_map(gl, drawing.resolution, GL_DEPTH_COMPONENT32F, false));
   const GLuint program = shaders.pipeline(corners_as_they_are, spread, distances);
   const GlVertexArray array(gl);
   const GlBuffer buffer(gl);
@@ -68,7 +63,7 @@ Values drawn(ShaderFunctions& shaders, const Drawing& drawing) {
                  face_projection(drawing.near, drawing.far) * face_view(drawing.lamp, face));
     uniforms.set(fmt::format("u_face_wanted[{}]", face), drawing.wanted[std::size_t(face)] ? 1.0f : 0.0f);
   }
-  begin_cube_pass(gl, cube, -1, false);
+  begin_cube_pass(gl, cube.names, -1, false);
   gl.DrawArrays(GL_TRIANGLES, 0, GLsizei(drawing.corners.size()));
   gl.BindVertexArray(0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -76,22 +71,14 @@ Values drawn(ShaderFunctions& shaders, const Drawing& drawing) {
   gl.Disable(GL_DEPTH_TEST);
   check_gl_error(gl, "drawing into a cube");
 
-  Values out;
-  std::vector<float> face(std::size_t(drawing.resolution) * std::size_t(drawing.resolution));
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture);
-  for (int i = 0; i < 6; ++i) {
-    gl.GetTexImage(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + i), 0, GL_DEPTH_COMPONENT, GL_FLOAT, face.data());
-    out.insert(out.end(), face.begin(), face.end());
-  }
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
-  return out;
+  const std::vector<float> texels = read_depth_cube(gl, cube.texture.id());
+  return Values(texels.begin(), texels.end());
 }
 
 /// How many texels are not between two distances, metres.
-double count_outside(const Values& texels, double low, double high, float far) {
-  double count = 0;
-  for (const double texel : texels) count += !(texel * double(far) >= low && texel * double(far) <= high);
-  return count;
+double texels_outside(Values texels, double low, double high, float far) {
+  for (double& texel : texels) texel *= double(far);
+  return count_outside(texels, low, high);
 }
 
 }  // namespace
@@ -101,7 +88,7 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
   // The middles of the flat triangles lie 1.9 % within the ball.
   const auto holes = [&shaders](float radius, float near, float far, int resolution, const glm::vec3& lamp) {
     const Values texels = drawn(shaders, {shell(lamp, radius), lamp, near, far, resolution});
-    return count_outside(texels, 0.975 * double(radius), 1.001 * double(radius), far);
+    return texels_outside(texels, 0.975 * double(radius), 1.001 * double(radius), far);
   };
   for (const int resolution : {1, 2, 7, 64, 100})
     group.equals(fmt::format("a shell of 3 m around the lamp, {0}x{0}: texels off it", resolution),
@@ -142,7 +129,7 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
           return counts;
         }());
   group.equals("no triangle: all at the farthest",
-               [&shaders] { return Values{count_outside(drawn(shaders, {}), 10, 10, 10)}; }, {0});
+               [&shaders] { return Values{texels_outside(drawn(shaders, {}), 10, 10, 10)}; }, {0});
   group.equals("a triangle through the lamp, one with a corner at it, one without an area: texels outside 0..far",
                [&shaders] {
                  const Values texels = drawn(shaders, {{{-5, 0, -5},
@@ -154,16 +141,16 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
                                                         {1, 1, 1},
                                                         {2, 2, 2},
                                                         {3, 3, 3}}});
-                 return Values{count_outside(texels, 0, 10, 10)};
+                 return Values{texels_outside(texels, 0, 10, 10)};
                },
                {0});
 
   Group stored = table.of("stored_distance (GLSL)");
-  const ShaderFunction function{"#define FRAGMENT\n#include \"04-point-shadows/cube_pass.glsl\"\n",
+  const ShaderFunction function{text_including("04-point-shadows/cube_pass.glsl", {{"FRAGMENT", ""}}),
                                 {"position", "light", "far"},
                                 "vec4(stored_distance(position.xyz, light.xyz, far.x))"};
   const auto distance = [&shaders, function](const glm::vec3& position, const glm::vec3& light, float far) {
-    return double(shaders.evaluate(function, {glm::vec4(position, 0), glm::vec4(light, 0), glm::vec4(far)}).x);
+    return shaders.number(function, {glm::vec4(position, 0), glm::vec4(light, 0), glm::vec4(far)});
   };
   stored.equals("at the lamp; beyond the farthest, also by 1e18",
                 [=] {
@@ -183,9 +170,7 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
                    inputs.push_back({glm::vec4(position, 0), glm::vec4(0), glm::vec4(float(far))});
                    expected.push_back(std::min(1.0, glm::length(glm::dvec3(position)) / double(float(far))));
                  }
-                 Values actual;
-                 for (const glm::vec4& v : shaders.evaluate(function, inputs)) actual.push_back(double(v.x));
-                 return difference(actual, expected);
+                 return difference(shaders.numbers(function, inputs), expected);
                });
 }
 

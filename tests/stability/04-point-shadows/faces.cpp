@@ -1,6 +1,4 @@
 // face_view, face_projection: what is drawn must lie where the card looks it up, at every edge and far from the origin.
-#include <fmt/format.h>
-
 #include <climits>
 
 #include "stability/04-point-shadows/rows.hpp"

@@ -1,9 +1,5 @@
 // cube_texel, compare_cube_distance, cube_pcf: no direction, directions along axes, on and beside edges and corners, of
 // every length.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "stability/04-point-shadows/rows.hpp"
 
 namespace atelier::stability {
@@ -11,23 +7,16 @@ namespace atelier::stability {
 namespace {
 
 constexpr float beside = 1e-6f;
-/// How many of the answers are none of the numbers that are allowed.
-double count_others(const std::vector<glm::vec4>& answers, std::initializer_list<float> allowed) {
-  double count = 0;
-  for (const glm::vec4& a : answers) count += std::find(allowed.begin(), allowed.end(), a.x) == allowed.end();
-  return count;
-}
 
 /// One call of `expression` a direction, with a cube of 8 x 8 texels a face; `reference` is its second parameter.
-std::vector<glm::vec4> asked(ShaderFunctions& shaders, const Lookup& lookup, const std::string& expression,
-                             const std::vector<glm::vec3>& directions, float reference,
-                             const std::array<float, 6>& faces) {
-  const FilledCube cube(shaders.gl(), 8, GL_DEPTH_COMPONENT32F, lookup.compare, faces);
+Values asked(ShaderFunctions& shaders, const Lookup& lookup, const std::string& expression,
+             const std::vector<glm::vec3>& directions, float reference, const std::array<float, 6>& faces) {
+  const OwnedCube cube = filled_cube(shaders.gl(), 8, GL_DEPTH_COMPONENT32F, lookup.compare, faces);
   ShaderFunction function = lookup_function({"direction", "reference"}, expression, lookup);
-  function.cubes = {{"u_cube_0", cube.texture()}};
+  function.cubes = {{"u_cube_0", cube.texture.id()}};
   std::vector<ShaderInput> inputs;
   for (const glm::vec3& direction : directions) inputs.push_back({glm::vec4(direction, 0), glm::vec4(reference)});
-  return shaders.evaluate(function, inputs);
+  return shaders.numbers(function, inputs);
 }
 
 constexpr const char* one_comparison = "vec4(compare_cube_distance(0, direction.xyz, reference.x))";
@@ -47,10 +36,7 @@ void add_edge_rows(Group& group, ShaderFunctions& shaders, const char* expressio
                {0, 0});
   group.equals(name + ": where +x is near and all else far, answers stay from 0 to 1",
                [=] {
-                 double outside = 0;
-                 for (const glm::vec4& a : ask(0.5f, {0.25f, 0.75f, 0.75f, 0.75f, 0.75f, 0.75f}))
-                   outside += !(a.x >= 0 && a.x <= 1);
-                 return Values{outside};
+                 return Values{count_outside(ask(0.5f, {0.25f, 0.75f, 0.75f, 0.75f, 0.75f, 0.75f}), 0, 1)};
                },
                {0});
 }
@@ -86,15 +72,15 @@ double count_spread_otherwise(ShaderFunctions& shaders) {
   for (int far = 0; far < 6; ++far) {
     std::array<float, 6> faces{};
     faces[std::size_t(far)] = 1;
-    const FilledCube cube(shaders.gl(), 1, GL_DEPTH_COMPONENT32F, false, faces);
-    function.cubes = {{"u_cube_0", cube.texture()}};
+    const OwnedCube cube = filled_cube(shaders.gl(), 1, GL_DEPTH_COMPONENT32F, false, faces);
+    function.cubes = {{"u_cube_0", cube.texture.id()}};
     for (int ahead = 0; ahead < 6; ++ahead) {
       glm::vec3 along(0);
       along[ahead / 2] = ahead % 2 ? -3.0f : 3.0f;
-      const float on_far = 9 * shaders.evaluate(function, {glm::vec4(along, 0), glm::vec4(0.5f)}).x;
+      const double on_far = 9 * shaders.number(function, {glm::vec4(along, 0), glm::vec4(0.5f)});
       const int least = ahead == far || ahead / 2 != far / 2 ? 1 : 0;
       const int most = ahead / 2 != far / 2 ? 3 : least;
-      others += !(std::round(on_far) >= float(least) && std::round(on_far) <= float(most));
+      others += !(std::round(on_far) >= least && std::round(on_far) <= most);
     }
   }
   return others;
@@ -105,7 +91,7 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
   const ShaderFunction function =
       lookup_function({"direction", "resolution"}, "vec4(cube_texel(direction.xyz, resolution.x))");
   const auto texel = [&shaders, function](const glm::vec3& direction, float resolution) {
-    return double(shaders.evaluate(function, {glm::vec4(direction, 0), glm::vec4(resolution)}).x);
+    return shaders.number(function, {glm::vec4(direction, 0), glm::vec4(resolution)});
   };
   group.equals(
       "no direction; a corner; one texel a face; 1e30 m away",
@@ -116,7 +102,7 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
   group.close("1000 random directions of 1e-6 to 1e6 m and resolutions",
               {3 * rounding_unit, "relative", "a quotient: 2.5 ulp in GLSL"}, [=, &shaders] {
                 std::vector<ShaderInput> inputs;
-                Values expected, actual;
+                Values expected;
                 for (int i = 0; i < 1000; ++i) {
                   Trial t(430, i);
                   const glm::vec3 d(t.size_between(1e-6, 1e6) * t.direction());
@@ -125,8 +111,7 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
                   const glm::dvec3 a = glm::abs(glm::dvec3(d));
                   expected.push_back(2 * std::max(a.x, std::max(a.y, a.z)) / double(resolution));
                 }
-                for (const glm::vec4& v : shaders.evaluate(function, inputs)) actual.push_back(double(v.x));
-                return each_relative(actual, expected);
+                return each_relative(shaders.numbers(function, inputs), expected);
               });
 }
 
@@ -149,7 +134,7 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
                     [&shaders] {
                       Values out;
                       for (const float reference : {0.5f, std::nextafter(0.5f, 0.0f), std::nextafter(0.5f, 1.0f)})
-                        out.push_back(asked(shaders, {}, one_comparison, {{1, 0, 0}}, reference, all_half)[0].x);
+                        out.push_back(asked(shaders, {}, one_comparison, {{1, 0, 0}}, reference, all_half)[0]);
                       return out;
                     },
                     {1, 1, 0});
@@ -157,11 +142,11 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
                     [&shaders] {
                       Values out;
                       for (const GLenum format : {GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F}) {
-                        const FilledCube cube(shaders.gl(), 1, format, false, {1, 1, 1, 1, 1, 1});
+                        const OwnedCube cube = filled_cube(shaders.gl(), 1, format, false, {1, 1, 1, 1, 1, 1});
                         ShaderFunction function =
                             lookup_function({"direction"}, "vec4(compare_cube_distance(0, direction.xyz, 1.0))");
-                        function.cubes = {{"u_cube_0", cube.texture()}};
-                        out.push_back(shaders.evaluate(function, {glm::vec4(1, 2, 3, 0)}).x);
+                        function.cubes = {{"u_cube_0", cube.texture.id()}};
+                        out.push_back(shaders.number(function, {glm::vec4(1, 2, 3, 0)}));
                       }
                       return out;
                     },
@@ -172,11 +157,11 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
       {1.01 * 1e6 / 65535, "metres", "65535 steps are 15.26 m each, and drivers round or cut off"}, [&shaders] {
         return worst_of(40, 431, [&](Trial& t) {
           const float share = float(t.between(0, 1));
-          const FilledCube cube(shaders.gl(), 1, GL_DEPTH_COMPONENT16, false,
-                                {share, share, share, share, share, share});
+          const OwnedCube cube =
+              filled_cube(shaders.gl(), 1, GL_DEPTH_COMPONENT16, false, {share, share, share, share, share, share});
           ShaderFunction function = lookup_function({"direction"}, "vec4(stored_in_cube(0, direction.xyz))");
-          function.cubes = {{"u_cube_0", cube.texture()}};
-          return 1e6 * std::abs(double(shaders.evaluate(function, {glm::vec4(t.direction(), 0)}).x) - double(share));
+          function.cubes = {{"u_cube_0", cube.texture.id()}};
+          return 1e6 * std::abs(shaders.number(function, {glm::vec4(t.direction(), 0)}) - double(share));
         });
       });
 }

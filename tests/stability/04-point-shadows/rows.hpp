@@ -1,15 +1,8 @@
 // The table of step 04, a function for each part of its contract.
 #pragma once
 
-#include <array>
-#include <limits>
-#include <vector>
-
 #include "04-point-shadows/point_shadows.hpp"
-#include "gl/objects.hpp"
-#include "stability/random.hpp"
-#include "stability/shader_function.hpp"
-#include "stability/table.hpp"
+#include "stability/rows.hpp"
 
 namespace atelier::stability {
 
@@ -20,22 +13,19 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders);
 void add_lookup_rows(Table& table, ShaderFunctions& shaders);
 void add_factor_rows(Table& table, ShaderFunctions& shaders);
 
-inline constexpr float largest_float = std::numeric_limits<float>::max();
-
-/// What FilledCube takes for one distance all round.
+/// What filled_cube takes for one distance all round.
 inline constexpr std::array<float, 6> all_half{0.5f, 0.5f, 0.5f, 0.5f, 0.5f, 0.5f};
 
-/// A cube made by the step's own function, with one distance in all texels of each face.
-class FilledCube {
- public:
-  FilledCube(Gl& gl, int resolution, GLenum format, bool compare, const std::array<float, 6>& faces);
-  GLuint texture() const { return texture_.id(); }
-
- private:
-  point_shadows::CubeMap names_;
-  GlTexture texture_;
-  GlFramebuffer framebuffer_;
+/// Takes over a cube's objects, so that a row leaves nothing behind.
+struct OwnedCube {
+  OwnedCube(Gl& gl, const point_shadows::CubeMap& made);
+  point_shadows::CubeMap names;
+  GlTexture texture;
+  GlFramebuffer framebuffer;
 };
+
+/// A cube made by the step's own function, with one distance in all texels of each face.
+OwnedCube filled_cube(Gl& gl, int resolution, GLenum format, bool compare, const std::array<float, 6>& faces);
 
 /// Which variant of the lookup: the defines that the program sets.
 struct Lookup {

@@ -1,34 +1,25 @@
 // Step 04's table of extremes.
-#include <fmt/format.h>
-
+#include "03-shadow-mapping/given/shaders_alone.hpp"
+#include "gl/depth_textures.hpp"
 #include "stability/04-point-shadows/rows.hpp"
 #include "stability/entry.hpp"
 
 namespace atelier::stability {
 
-FilledCube::FilledCube(Gl& gl, int resolution, GLenum format, bool compare, const std::array<float, 6>& faces)
-    : names_(point_shadows::make_cube_map(gl, resolution, format, compare)),
-      texture_(gl, names_.texture),
-      framebuffer_(gl, names_.framebuffer) {
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, texture_.id());
-  for (int face = 0; face < 6; ++face) {
-    const std::vector<float> texels(std::size_t(resolution) * std::size_t(resolution), faces[std::size_t(face)]);
-    gl.TexImage2D(GLenum(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face), 0, GLint(format), resolution, resolution, 0,
-                  GL_DEPTH_COMPONENT, GL_FLOAT, texels.data());
-  }
-  gl.BindTexture(GL_TEXTURE_CUBE_MAP, 0);
+OwnedCube::OwnedCube(Gl& gl, const point_shadows::CubeMap& made)
+    : names(made), texture(gl, made.texture), framebuffer(gl, made.framebuffer) {}
+
+OwnedCube filled_cube(Gl& gl, int resolution, GLenum format, bool compare, const std::array<float, 6>& faces) {
+  OwnedCube cube(gl, point_shadows::make_cube_map(gl, resolution, format, compare));
+  fill_depth_cube(gl, cube.names.texture, format, resolution, even_faces(resolution, faces));
+  return cube;
 }
 
 ShaderFunction lookup_function(std::vector<std::string> parameters, std::string expression, const Lookup& lookup) {
-  ShaderFunction function{"#include \"04-point-shadows/point_shadows.glsl\"\n", std::move(parameters),
-                          std::move(expression)};
-  function.defines = {{"POINT_LIGHTS", "0"},
-                      {"SPOT_LIGHTS", "0"},
-                      {"DIRECTIONAL_LIGHTS", "0"},
-                      {"SHADOW_LIGHTS", "0"},
-                      {"CUBES", "1"},
-                      {"BIAS", fmt::to_string(lookup.bias)},
-                      {"PCF", fmt::to_string(lookup.pcf)}};
+  ShaderFunction function{text_including("04-point-shadows/point_shadows.glsl"), std::move(parameters),
+                          std::move(expression), no_shadow_lights()};
+  function.defines.merge(
+      Defines{{"CUBES", "1"}, {"BIAS", fmt::to_string(lookup.bias)}, {"PCF", fmt::to_string(lookup.pcf)}});
   if (lookup.compare) function.defines.emplace("COMPARE", "1");
   return function;
 }

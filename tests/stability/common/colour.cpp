@@ -1,8 +1,4 @@
 // image/colour: the curve of the judge itself, codes, and L*a*b*.
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "image/colour.hpp"
 #include "image/compare.hpp"
 #include "stability/common/rows.hpp"

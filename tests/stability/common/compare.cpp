@@ -1,6 +1,4 @@
 // image/compare and image/flip: what the judge makes of pictures that are no pictures.
-#include <fmt/format.h>
-
 #include "image/compare.hpp"
 #include "image/flip.hpp"
 #include "stability/common/rows.hpp"

@@ -1,8 +1,5 @@
 // scene/ and scene_import/: exact world matrices, bounds, and normals that files bring or lack.
-#include <fmt/format.h>
-
 #include <climits>
-#include <cmath>
 
 #include "scene/scene.hpp"
 #include "scene_import/frame.hpp"

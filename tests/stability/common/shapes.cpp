@@ -1,9 +1,4 @@
 // scene/shapes: the smallest and largest measures, the fewest and most pieces.
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "scene/shapes.hpp"
 #include "stability/common/rows.hpp"
 

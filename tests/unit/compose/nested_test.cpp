@@ -2,6 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
+#include "nesting.hpp"
 #include "place.hpp"
 #include "scene/builder.hpp"
 #include "scene/shapes.hpp"
@@ -19,28 +20,12 @@ struct ClearWindow : Feature {
   void draw_inside(Gl&, const Scene& scene, const Viewpoint& around, const Target& target,
                    ScenePainter& painter) override {
     if (around.view.parent) return;
-    const NestingFunctions functions{.begin_mark =
-                                         [](Gl& gl, int level) {
-                                           gl.Enable(GL_STENCIL_TEST);
-                                           gl.StencilFunc(GL_EQUAL, level, 0xff);
-                                           gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-                                           gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-                                           gl.DepthMask(GL_FALSE);
-                                         },
-                                     .begin_restore =
-                                         [](Gl& gl, int level) {
-                                           gl.Enable(GL_STENCIL_TEST);
-                                           gl.StencilFunc(GL_EQUAL, level + 1, 0xff);
-                                           gl.StencilOp(GL_KEEP, GL_KEEP, GL_DECR);
-                                           gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-                                           gl.DepthFunc(GL_ALWAYS);
-                                         }};
     View inside = around.view;
     inside.world_to_view = around.world_to_view;
     for (int i = 0; i < int(painter.items().size()); ++i)
       if (scene.nodes[std::size_t(painter.items()[std::size_t(i)].node)].name == "window") {
         ++views;
-        painter.draw_view_inside(inside, around, target, i, functions);
+        painter.draw_view_inside(inside, around, target, i, nesting());
       }
   }
   int views = 0;

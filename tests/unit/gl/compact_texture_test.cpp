@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "contexts.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/objects.hpp"
 #include "gl/query.hpp"
 #include "gl/shader.hpp"
@@ -42,19 +43,16 @@ GlTexture floats(Gl& gl, const std::vector<glm::ivec2>& sizes) {
 
 /// What a shader is given of one level, row by row as OpenGL has them.
 Image fetched(Gl& gl, const GlTexture& texture, GLint level, glm::ivec2 size) {
-  const GlProgram program = build_program(
-      gl,
-      shader_text("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"),
-      shader_text("uniform sampler2D u_texture; uniform int u_level; out vec4 o;\n"
-                  "void main() { o = texelFetch(u_texture, ivec2(gl_FragCoord.xy), u_level); }"));
+  const GlProgram program =
+      build_program(gl, shader_text(full_screen_vertex_text),
+                    shader_text("uniform sampler2D u_texture; uniform int u_level; out vec4 o;\n"
+                                "void main() { o = texelFetch(u_texture, ivec2(gl_FragCoord.xy), u_level); }"));
   const Target target(gl, {.width = size.x, .height = size.y, .depth = DepthFormat::none});
   target.bind(gl);
-  const GlVertexArray vertices(gl);
-  gl.BindVertexArray(vertices.id());
   gl.UseProgram(program.id());
   gl.Uniform1i(gl.GetUniformLocation(program.id(), "u_level"), level);
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  draw_triangle_by_id(gl);
   gl.BindTexture(GL_TEXTURE_2D, 0);
   return target.read_colour(gl);
 }

@@ -74,6 +74,12 @@ TEST_CASE("A text that is no file includes files too") {
   CHECK(origins(source) == "-:1 b.glsl:1 surface shader:2");
 }
 
+TEST_CASE("A text that includes a file has its defines first") {
+  CHECK(text_including("a.glsl") == "#include \"a.glsl\"\n");
+  CHECK(text_including("a.glsl", {{"TWO", "2"}, {"ONE", "1"}}, "float f;\n") ==
+        "#define ONE 1\n#define TWO 2\nfloat f;\n#include \"a.glsl\"\n");
+}
+
 TEST_CASE("Text is mended so that lines stay lines") {
   struct Row {
     const char* name;

@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "contexts.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/target.hpp"
 #include "shader_text.hpp"
 
@@ -31,15 +32,10 @@ std::string refusal(Gl& gl, const std::map<std::string, std::string>& files, con
 Rgba drawn(Gl& gl, GLuint program) {
   const Target target(gl, {.depth = DepthFormat::none});
   target.bind(gl);
-  const GlVertexArray vertices(gl);
-  gl.BindVertexArray(vertices.id());
   gl.UseProgram(program);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  draw_triangle_by_id(gl);
   return target.read_colour(gl).at(0, 0);
 }
-
-const std::string everywhere =
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }\n";
 
 }  // namespace
 
@@ -104,7 +100,8 @@ TEST_CASE("Stages that do not fit together are named") {
 TEST_CASE("A refused shader leaves nothing bound or broken") {
   on_every_context([](Gl& gl) {
     for (int round = 0; round < 3; ++round) CHECK(refusal(gl, {{"main.glsl", "wrong\n"}}) != "");
-    CHECK(drawn(gl, build_program(gl, shader_text(everywhere), shader_text(white)).id()) == Rgba{1, 1, 1, 1});
+    CHECK(drawn(gl, build_program(gl, shader_text(full_screen_vertex_text), shader_text(white)).id()) ==
+          Rgba{1, 1, 1, 1});
   });
 }
 
@@ -116,7 +113,7 @@ TEST_CASE("A geometry shader takes part where it is given") {
         "    gl_Position = gl_in[i].gl_Position;\n    EmitVertex();\n  }\n}\n");
     const ShaderSource fragment =
         shader_text("flat in float v_seen;\nout vec4 o;\nvoid main() { o = vec4(v_seen); }\n");
-    const GlProgram program = build_program(gl, shader_text(everywhere), fragment, &geometry);
+    const GlProgram program = build_program(gl, shader_text(full_screen_vertex_text), fragment, &geometry);
     CHECK(drawn(gl, program.id()) == Rgba{0.5f, 0.5f, 0.5f, 0.5f});
   });
 }
@@ -125,7 +122,8 @@ TEST_CASE("Defines reach the shader") {
   on_every_context([](Gl& gl) {
     const ShaderSource fragment =
         shader_text("out vec4 o;\nvoid main() { o = vec4(SHADE, 1); }\n", "test", {{"SHADE", "vec3(0.25, 0.5, 0.75)"}});
-    CHECK(drawn(gl, build_program(gl, shader_text(everywhere), fragment).id()) == Rgba{0.25f, 0.5f, 0.75f, 1});
+    CHECK(drawn(gl, build_program(gl, shader_text(full_screen_vertex_text), fragment).id()) ==
+          Rgba{0.25f, 0.5f, 0.75f, 1});
   });
 }
 
@@ -137,7 +135,7 @@ TEST_CASE("Uniforms of every type are set by name, and unused names are passed o
         "void main() {\n"
         "  o = vec4(u_bool ? float(u_int) : -1.0, u_float + u_two.y, u_three.z + u_four.w,\n"
         "           u_matrix3[0][2] + u_matrix4[3][1]);\n}\n");
-    const GlProgram program = build_program(gl, shader_text(everywhere), fragment);
+    const GlProgram program = build_program(gl, shader_text(full_screen_vertex_text), fragment);
     Uniforms uniforms(gl, program.id());
     gl.UseProgram(program.id());
     uniforms.set("u_int", 7);

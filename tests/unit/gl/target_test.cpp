@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "contexts.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/query.hpp"
 #include "gl/shader.hpp"
 #include "image/colour.hpp"
@@ -47,14 +48,11 @@ void draw_triangle(Gl& gl, const Corners& corners, float depth, const Rgba& colo
                     shader_text("uniform vec2 u_corners[3]; uniform float u_depth;\n"
                                 "void main() { gl_Position = vec4(u_corners[gl_VertexID], u_depth, 1.0); }"),
                     shader_text("uniform vec4 u_colour; out vec4 o; void main() { o = u_colour; }"));
-  const GlVertexArray vertices(gl);
-  gl.BindVertexArray(vertices.id());
   gl.UseProgram(program.id());
   gl.Uniform2fv(gl.GetUniformLocation(program.id(), "u_corners"), 3, &corners[0].x);
   gl.Uniform1f(gl.GetUniformLocation(program.id(), "u_depth"), depth);
   gl.Uniform4fv(gl.GetUniformLocation(program.id(), "u_colour"), 1, &colour.r);
-  gl.DrawArrays(GL_TRIANGLES, 0, 3);
-  gl.BindVertexArray(0);
+  draw_triangle_by_id(gl);
 }
 
 /// What `value` becomes when it is drawn and read.
@@ -99,16 +97,13 @@ TEST_CASE("Floats come back as they were drawn, whatever they are") {
 TEST_CASE("What a shader writes survives too: NaN, infinity, above one and below zero") {
   on_every_context([](Gl& gl) {
     const GlProgram program = build_program(
-        gl,
-        shader_text("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }"),
+        gl, shader_text(full_screen_vertex_text),
         shader_text(
             "uniform float u_zero;\nout vec4 o;\nvoid main() { o = vec4(u_zero / u_zero, 1.0 / u_zero, 7.5, -2.0); }"));
     const Target target(gl, {.width = 1, .height = 1, .depth = DepthFormat::none});
     target.bind(gl);
-    const GlVertexArray vertices(gl);
-    gl.BindVertexArray(vertices.id());
     gl.UseProgram(program.id());
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    draw_triangle_by_id(gl);
     const Rgba got = target.read_colour(gl).at(0, 0);
     CHECK(std::isnan(got.r));
     CHECK(got.g == infinity);

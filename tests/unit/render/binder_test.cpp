@@ -1,4 +1,5 @@
 #include "catch.hpp"
+#include "gl/full_screen.hpp"
 #include "pieces.hpp"
 
 namespace {
@@ -6,23 +7,18 @@ namespace {
 using namespace atelier;
 using namespace atelier::test;
 
-constexpr const char* whole_picture =
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); }\n";
-
 /// A program of one pixel, and what it writes there.
 struct Pixel {
   Gl& gl;
   GlProgram program;
   Uniforms uniforms;
   Target target;
-  GlVertexArray nothing;
 
   Pixel(Gl& context, const std::string& fragment)
       : gl(context),
-        program(build_program(context, source(whole_picture), source("out vec4 o;\n" + fragment))),
+        program(build_program(context, source(full_screen_vertex_text), source("out vec4 o;\n" + fragment))),
         uniforms(context, program.id()),
-        target(context, {.depth = DepthFormat::none}),
-        nothing(context) {
+        target(context, {.depth = DepthFormat::none}) {
     gl.UseProgram(program.id());
   }
   static ShaderSource source(const std::string& text) {
@@ -30,8 +26,7 @@ struct Pixel {
   }
   Rgba draw() {
     target.bind(gl);
-    gl.BindVertexArray(nothing.id());
-    gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    draw_triangle_by_id(gl);
     check_gl_error(gl, "drawing a pixel");
     return target.read_colour(gl).at(0, 0);
   }

@@ -1,5 +1,6 @@
 // What happens to a picture after the scene: passes of shaders and of the CPU, what they read, and what is left out.
 #include "catch.hpp"
+#include "gl/full_screen.hpp"
 #include "image/colour.hpp"
 #include "pieces.hpp"
 
@@ -13,13 +14,7 @@ ChainFunctions chain_functions(Shaders& shaders) {
   shaders.write("00-fake/full_screen.glsl",
                 "vec2 full_screen_corner(int i) { return vec2(i == 1 ? 3.0 : -1.0, i == 2 ? 3.0 : -1.0); }\n");
   return {.next_target = [](int source) { return source == 0 ? 1 : 0; },
-          .draw_full_screen =
-              [](Gl& gl) {
-                const GlVertexArray nothing(gl);
-                gl.BindVertexArray(nothing.id());
-                gl.DrawArrays(GL_TRIANGLES, 0, 3);
-                gl.BindVertexArray(0);
-              },
+          .draw_full_screen = draw_triangle_by_id,
           .glsl = "00-fake/full_screen.glsl"};
 }
 

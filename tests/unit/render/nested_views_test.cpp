@@ -1,33 +1,15 @@
 // A view inside a view, marked in the stencil buffer: a window in a wall through which the scene is seen from
 // elsewhere.
 #include "catch.hpp"
+#include "gl/full_screen.hpp"
 #include "gl/state.hpp"
+#include "nesting.hpp"
 #include "pieces.hpp"
 
 namespace {
 
 using namespace atelier;
 using namespace atelier::test;
-
-/// What a step teaches, from a library's point of view: the usual two stencil states.
-NestingFunctions nesting() {
-  return {.begin_mark =
-              [](Gl& gl, int level) {
-                gl.Enable(GL_STENCIL_TEST);
-                gl.StencilFunc(GL_EQUAL, level, 0xff);
-                gl.StencilOp(GL_KEEP, GL_KEEP, GL_INCR);
-                gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-                gl.DepthMask(GL_FALSE);
-              },
-          .begin_restore =
-              [](Gl& gl, int level) {
-                gl.Enable(GL_STENCIL_TEST);
-                gl.StencilFunc(GL_EQUAL, level + 1, 0xff);
-                gl.StencilOp(GL_KEEP, GL_KEEP, GL_DECR);
-                gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-                gl.DepthFunc(GL_ALWAYS);
-              }};
-}
 
 /// Shows each node in the colour of its material.
 struct Flat : Piece {
@@ -83,17 +65,32 @@ Scene window_scene() {
   return scene;
 }
 
-struct WindowStage : Stage {
-  Window* window = nullptr;
-  WindowStage() {
-    auto flat = std::make_unique<Flat>();
+/// Flat colours, and behind them the features of a test.
+struct FlatStage : Stage {
+  template <class... Features>
+  explicit FlatStage(std::unique_ptr<Features>... features) {
     shaders.write("00-fake/flat.glsl", "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
+    auto flat = std::make_unique<Flat>();
     flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
-    auto made = std::make_unique<Window>();
-    made->shift = {-10, 0, 0};
-    window = made.get();
-    open({}, std::move(flat), std::move(made));
+    open({}, std::move(flat), std::move(features)...);
   }
+};
+
+/// A window of this kind that shows what is elsewhere.
+template <class Kind = Window>
+std::unique_ptr<Kind> window_to_elsewhere() {
+  auto window = std::make_unique<Kind>();
+  window->shift = {-10, 0, 0};
+  return window;
+}
+
+struct WindowStage : FlatStage {
+  WindowStage() : WindowStage(window_to_elsewhere()) {}
+  Window* const window;
+
+ private:
+  explicit WindowStage(std::unique_ptr<Window> made) : WindowStage(made.get(), std::move(made)) {}
+  WindowStage(Window* seen, std::unique_ptr<Window>&& made) : FlatStage(std::move(made)), window(seen) {}
 };
 
 bool is(const Rgba& pixel, const glm::vec3& colour) {
@@ -148,16 +145,9 @@ TEST_CASE("a window's depth stands in the picture behind it, for what is drawn l
     }
   };
   for (const float z : {-0.25f, 0.25f}) {
-    Stage stage;
-    auto flat = std::make_unique<Flat>();
-    stage.shaders.write("00-fake/flat.glsl",
-                        "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
-    flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
-    auto window = std::make_unique<Window>();
-    window->shift = {-10, 0, 0};
     auto later = std::make_unique<Later>();
     later->z = z;
-    stage.open({}, std::move(flat), std::move(window), std::move(later));
+    FlatStage stage(window_to_elsewhere(), std::move(later));
     CHECK(is(stage.draw(window_scene()).at(16, 16), z < 0 ? red : green));
   }
 }
@@ -263,14 +253,7 @@ TEST_CASE("a scissor bounds a view inside another", "[nested]") {
                           painter);
     }
   };
-  Stage stage;
-  auto flat = std::make_unique<Flat>();
-  stage.shaders.write("00-fake/flat.glsl",
-                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
-  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
-  auto window = std::make_unique<Cut>();
-  window->shift = {-10, 0, 0};
-  stage.open({}, std::move(flat), std::move(window));
+  FlatStage stage(window_to_elsewhere<Cut>());
   const Image picture = stage.draw(window_scene());
   CHECK(is(picture.at(15, 16), red));
   CHECK(is(picture.at(16, 16), behind));
@@ -300,14 +283,9 @@ TEST_CASE("a feature draws whole views into targets of its own before the frame"
       painter.draw_view(view, *target);
     }
   };
-  Stage stage;
-  auto flat = std::make_unique<Flat>();
-  stage.shaders.write("00-fake/flat.glsl",
-                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
-  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
   auto preview = std::make_unique<Preview>();
   const Preview& seen = *preview;
-  stage.open({}, std::move(flat), std::move(preview));
+  FlatStage stage(std::move(preview));
   Scene scene = window_scene();
   scene.nodes[0].material = 2;
   const Image picture = stage.draw(scene);
@@ -341,9 +319,7 @@ TEST_CASE("six views fill the sides of a cube, as OpenGL looks them up", "[neste
         return assemble_shader_text([](const std::string&) { return std::filesystem::path(); }, text, "cube", {});
       };
       const GlProgram program =
-          build_program(gl,
-                        stage("void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 "
-                              ": -1.0, 0.0, 1.0); }\n"),
+          build_program(gl, stage(full_screen_vertex_text),
                         stage("uniform samplerCube u_cube; out vec4 o;\n"
                               "void main() {\n"
                               "  int i = int(gl_FragCoord.x); vec3 d = vec3(0.0); d[i / 2] = i % 2 == 0 ? 1.0 : -1.0;\n"
@@ -355,21 +331,14 @@ TEST_CASE("six views fill the sides of a cube, as OpenGL looks them up", "[neste
       gl.UseProgram(program.id());
       gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube);
       Uniforms(gl, program.id()).set("u_cube", 0);
-      const GlVertexArray nothing(gl);
-      gl.BindVertexArray(nothing.id());
-      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+      draw_triangle_by_id(gl);
       const Image read = row.read_colour(gl);
       looked_up.assign(read.pixels().begin(), read.pixels().end());
     }
   };
-  Stage stage;
-  auto flat = std::make_unique<Flat>();
-  stage.shaders.write("00-fake/flat.glsl",
-                      "uniform vec3 u_colour;\nvec3 flat_colour(Surface s) { return u_colour; }\n");
-  flat->filled = {{Slot::shade, {"00-fake/flat.glsl", "flat_colour"}}};
   auto round = std::make_unique<AllRound>();
   const AllRound& seen = *round;
-  stage.open({}, std::move(flat), std::move(round));
+  FlatStage stage(std::move(round));
   Scene scene = window_scene();
   scene.materials.clear();
   scene.nodes.clear();

@@ -27,10 +27,8 @@ TEST_CASE("every built-in scene can be drawn", "[scene]") {
     const Box3 box = bounds(scene);
     const glm::dvec3 ahead = glm::normalize(scene.camera.target - scene.camera.eye);
     double nearest = 1e300, farthest = -1e300;
-    for (int corner = 0; corner < 8; ++corner) {
-      const glm::dvec3 p(corner & 1 ? box.high.x : box.low.x, corner & 2 ? box.high.y : box.low.y,
-                         corner & 4 ? box.high.z : box.low.z);
-      const double depth = glm::dot(p - scene.camera.eye, ahead);
+    for (const glm::dvec3& corner : corners_of(box)) {
+      const double depth = glm::dot(corner - scene.camera.eye, ahead);
       nearest = std::min(nearest, depth);
       farthest = std::max(farthest, depth);
     }

@@ -203,8 +203,7 @@ TEST_CASE("the teapot shows its outside from everywhere", "[scene]") {
 
 TEST_CASE("the teapot has Newell's measures", "[scene]") {
   const Mesh teapot = make_teapot({.height = 3.15f});  // the data's own unit
-  Box3 box;
-  for (const Vertex& v : teapot.vertices) box.add(v.position);
+  const Box3 box = box_around(teapot);
   CHECK(teapot.vertices.size() == 32 * 11 * 11);
   CHECK(box.low.y == Approx(0).margin(1e-6));
   CHECK(box.high.y == Approx(3.15).epsilon(1e-6));

@@ -8,7 +8,7 @@ std::map<std::string, Probe> @NAME@_probes() {
   return {
       {"density",
        [](ProbeContext&, const Arguments& in) { return Numbers{@NAME@::density(float(in.number("half_distance")))}; }},
-      {"@NAME@_light", shader_probe("#include \"@STEP@/@NAME@.glsl\"\n",
+      {"@NAME@_light", shader_probe(text_including("@STEP@/@NAME@.glsl"),
                                  "vec4(@NAME@_light(light, air, density, way, int(pieces)), 0.0)", 3)},
   };
 }

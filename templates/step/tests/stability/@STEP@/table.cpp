@@ -1,23 +1,19 @@
 // Step @NUMBER@'s table of extremes.
-#include <cmath>
-#include <limits>
-
 #include "@STEP@/@NAME@.hpp"
 #include "stability/entry.hpp"
+#include "stability/rows.hpp"
 
 namespace atelier::stability {
 
 namespace {
 
-constexpr float infinite = std::numeric_limits<float>::infinity();
-
 void add_density_rows(Table& table) {
   Group group = table.of("density");
   const auto of = [](float half_distance) { return Values{@NAME@::density(half_distance)}; };
-  for (const float bad : {0.0f, -1.0f, -infinite, std::numeric_limits<float>::quiet_NaN()})
+  for (const float bad : {0.0f, -1.0f, -infinite, not_a_number})
     group.refuses("a distance that is not above 0", [=] { of(bad); });
   group.equals("infinity", [=] { return of(infinite); }, {0});
-  group.same("less than a millionth of a metre", [=] { return of(1e-40f); }, [=] { return of(1e-6f); });
+  group.same("less than a millionth of a metre", [=] { return of(denormal); }, [=] { return of(1e-6f); });
   for (const float half : {1e-6f, 1.0f, 1e6f})
     group.close("half of the light is left", {2 * rounding_unit, "relative", "a constant and a quotient"}, [=] {
       return relative_difference(of(half), {std::log(2.0) / double(half)});
@@ -26,7 +22,7 @@ void add_density_rows(Table& table) {
 
 void add_light_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("@NAME@_light (GLSL)");
-  const ShaderFunction function{"#include \"@STEP@/@NAME@.glsl\"\n",
+  const ShaderFunction function{text_including("@STEP@/@NAME@.glsl"),
                                 {"light", "air", "by"},
                                 "vec4(@NAME@_light(light.rgb, air.rgb, by.x, by.y, int(by.z)), 0.0)"};
   const glm::vec4 light(1, 0.5f, 0, 0), air(0.25f, 0, 1, 0);

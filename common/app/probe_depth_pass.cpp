@@ -1,4 +1,4 @@
-#include "03-shadow-mapping/given/depth_probe.hpp"
+#include "app/probe_depth_pass.hpp"
 
 #include <array>
 
@@ -7,17 +7,10 @@
 
 namespace atelier {
 
-const std::string bias_as_argument =
-    "#define u_bias u_other_bias\n#define u_depth_epsilon u_other_depth_epsilon\n"
-    "#include \"03-shadow-mapping/given/shadows.glsl\"\n"
-    "#undef u_bias\n#undef u_depth_epsilon\n";
+namespace {
 
-GLenum depth_format_of(const Arguments& in) {
-  constexpr std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
-  return formats.at(std::size_t(in.integer("format")));
-}
-
-void set_against_depth_pass(Gl& gl) {
+/// All that such a pass must set.
+void set_otherwise(Gl& gl) {
   gl.Viewport(1, 1, 2, 2);
   gl.Disable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_GREATER);
@@ -28,7 +21,16 @@ void set_against_depth_pass(Gl& gl) {
   gl.ClearDepth(0.25);
 }
 
-Numbers depth_pass_state(Gl& gl) {
+}  // namespace
+
+GLenum depth_format_of(const Arguments& in) {
+  constexpr std::array<GLenum, 3> formats{GL_DEPTH_COMPONENT16, GL_DEPTH_COMPONENT24, GL_DEPTH_COMPONENT32F};
+  return formats.at(std::size_t(in.integer("format")));
+}
+
+Numbers depth_pass_state(Gl& gl, const std::function<void()>& begin) {
+  set_otherwise(gl);
+  begin();
   std::array<GLint, 4> viewport{};
   gl.GetIntegerv(GL_VIEWPORT, viewport.data());
   Numbers out(viewport.begin(), viewport.end());
@@ -38,12 +40,9 @@ Numbers depth_pass_state(Gl& gl) {
   out.push_back(gl.IsEnabled(GL_DEPTH_CLAMP));
   out.push_back(gl.IsEnabled(GL_CULL_FACE));
   out.push_back(gl.IsEnabled(GL_CULL_FACE) ? integer_of(gl, GL_CULL_FACE_MODE) : 0);
-  return out;
-}
-
-void end_depth_pass(Gl& gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   reset_state(gl);
+  return out;
 }
 
 }  // namespace atelier
