@@ -187,7 +187,7 @@ TEST_CASE("a verdict in the making gives way to a newer save", "[watch]") {
   std::this_thread::sleep_for(3s);  // the compiler is not interrupted, the program is
   const auto begin = std::chrono::steady_clock::now();
   write_file(file, before);
-  CHECK(!mentions(terminal.read_to(keys_line), {"lasted longer"}));
+  CHECK(!mentions(terminal.read_to(keys_line), {"took longer"}));
   INFO(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() << " s");
   terminal.press("q");
   CHECK(terminal.wait_for_end() == 0);
