@@ -4,7 +4,7 @@
 //   const ShaderFunction cone{text_including("02-blinn-phong/blinn_phong.glsl"),
 //                             {"to_light", "axis", "cosines"},
 //                             "vec4(spot_cone(to_light.xyz, axis.xyz, cosines.x, cosines.y))"};
-//   shaders.number(cone, {{0, 0, -1, 0}, {0, 0, 1, 0}, {0.9f, 0.8f, 0, 0}});   // one input: one number
+//   shaders.number(cone, input_of(to_light, axis, glm::vec2(0.9f, 0.8f)));   // one input: one number
 #pragma once
 
 #include <glm/glm.hpp>
@@ -30,6 +30,29 @@ struct ShaderFunction {
 
 /// The arguments of one call, a vec4 each.
 using ShaderInput = std::vector<glm::vec4>;
+
+/// Adds an argument: a number to every component, a vector with zeros behind it, a matrix as a vec4 for each column.
+inline void add_argument(ShaderInput& input, float v) {
+  input.emplace_back(v);
+}
+template <int N>
+void add_argument(ShaderInput& input, const glm::vec<N, float>& v) {
+  glm::vec4 argument(0);
+  for (int i = 0; i < N; ++i) argument[i] = v[i];
+  input.push_back(argument);
+}
+template <int C, int R>
+void add_argument(ShaderInput& input, const glm::mat<C, R, float>& m) {
+  for (int column = 0; column < C; ++column) add_argument(input, m[column]);
+}
+
+/// Arguments of these types, in their order.
+template <class... Arguments>
+ShaderInput input_of(const Arguments&... arguments) {
+  ShaderInput input;
+  (add_argument(input, arguments), ...);
+  return input;
+}
 
 /// Evaluates shader functions on one context, and keeps what it has compiled.
 class ShaderFunctions {

@@ -102,8 +102,7 @@ void add_normal_shader_rows(Table& table, ShaderFunctions& shaders) {
     const ShaderFunction function{text_including("01-transforms/transforms.glsl"),
                                   {"m0", "m1", "m2", "normal"},
                                   "vec4(world_normal(mat3(m0.xyz, m1.xyz, m2.xyz), normal.xyz), 0.0)"};
-    return glm::vec3(
-        shaders.evaluate(function, {glm::vec4(m[0], 0), glm::vec4(m[1], 0), glm::vec4(m[2], 0), glm::vec4(normal, 0)}));
+    return glm::vec3(shaders.evaluate(function, input_of(m, normal)));
   };
   const glm::vec3 oblique(0.36f, 0.48f, 0.8f);
   const Bound unit{1e-6, "absolute", "inversesqrt is good to 2 ulp on every driver seen, 2.4e-7, beside 4 roundings"};

@@ -14,14 +14,6 @@ const ShaderFunction clip_function{
     {"p0", "p1", "p2", "p3", "v0", "v1", "v2", "v3", "m0", "m1", "m2", "m3", "position"},
     "clip_position(mat4(p0, p1, p2, p3), mat4(v0, v1, v2, v3), mat4(m0, m1, m2, m3), position.xyz)"};
 
-ShaderInput clip_input(const glm::mat4& projection, const glm::mat4& view, const glm::mat4& model, const glm::vec3& p) {
-  ShaderInput input;
-  for (const glm::mat4& m : {projection, view, model})
-    for (int column = 0; column < 4; ++column) input.push_back(m[column]);
-  input.emplace_back(p, 0);
-  return input;
-}
-
 /// A camera like that of a game: 60 degrees, 640x480, looking at a still life of 64 corners within a metre.
 constexpr glm::vec4 viewport(0, 0, 640, 480);
 constexpr float fov_y = 1.0471976f, near = 0.1f, far = 100;
@@ -55,7 +47,7 @@ double world_offset_error(ShaderFunctions& shaders, double offset, bool relative
   const glm::mat4 view = transforms::look_at(as_float(eye), as_float(target_from_origin + origin), {0, 1, 0});
   const glm::mat4 model = transforms::translation(as_float(origin));
   std::vector<ShaderInput> inputs;
-  for (const glm::vec3& corner : corners()) inputs.push_back(clip_input(projection, view, model, corner));
+  for (const glm::vec3& corner : corners()) inputs.push_back(input_of(projection, view, model, corner));
   const std::vector<glm::vec4> clips = shaders.evaluate(clip_function, inputs);
   double worst = 0;
   for (std::size_t i = 0; i < clips.size(); ++i) {
@@ -85,7 +77,7 @@ void add_offset_shader_rows(Table& table, ShaderFunctions& shaders) {
   Group clip = table.of("clip_position (GLSL)");
   const glm::mat4 one(1.0f);
   const auto with_model = [=, &shaders](const glm::mat4& model, const glm::vec3& p) {
-    return values(shaders.evaluate(clip_function, clip_input(one, one, model, p)));
+    return values(shaders.evaluate(clip_function, input_of(one, one, model, p)));
   };
   clip.equals("a model flattened to a point",
               [=] {
@@ -97,8 +89,8 @@ void add_offset_shader_rows(Table& table, ShaderFunctions& shaders) {
   clip.equals("a point on the eye: w = 0",
               [&shaders] {
                 const glm::mat4 projection = transforms::perspective(1, 1, 0.1f, 10);
-                return Values{
-                    double(shaders.evaluate(clip_function, clip_input(projection, glm::mat4(1), glm::mat4(1), {})).w)};
+                return Values{double(
+                    shaders.evaluate(clip_function, input_of(projection, glm::mat4(1), glm::mat4(1), glm::vec3(0))).w)};
               },
               {0});
   clip.nan("a model with a NaN", [=] { return with_model(glm::mat4(not_a_number), {1, 2, 3}); });
@@ -109,7 +101,7 @@ void add_offset_shader_rows(Table& table, ShaderFunctions& shaders) {
                                   {"offset", "position"},
                                   "vec4(world_position(mat4(vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 1, 0), "
                                   "vec4(offset.xyz, 1)), position.xyz), 0.0)"};
-    return Values(values(glm::vec3(shaders.evaluate(function, {glm::vec4(offset, 0), glm::vec4(p, 0)}))));
+    return Values(values(glm::vec3(shaders.evaluate(function, input_of(offset, p)))));
   };
   world.equals("an offset of 1e6 m, steps of 1/16 m: all that floats hold there",
                [=] {

@@ -158,7 +158,7 @@ void add_normalisation_rows(Table& table, ShaderFunctions& shaders) {
   const auto factor = [&shaders](int kind, float exponent) {
     const ShaderFunction function =
         blinn_phong_function({"n"}, "vec4(specular_normalisation(n.x))", {.normalisation = kind});
-    return shaders.number(function, ShaderInput{glm::vec4(exponent)});
+    return shaders.number(function, input_of(exponent));
   };
   const Bound rounded{1e-6, "relative", "two sums, two products and a quotient; exp2 good to 4 ulp vanishes beside n"};
   group.equals("none: always 1", [=] { return Values{factor(0, 0), factor(0, 1e6f)}; }, {1, 1});

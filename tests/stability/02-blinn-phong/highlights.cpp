@@ -42,7 +42,7 @@ double highlight_error(ShaderFunctions& shaders, Power power, double exponent, d
   for (int i = 0; i < 256; ++i) {
     Trial t(130, i);
     pairs.push_back(unit_pair(t, angle));
-    inputs.push_back({glm::vec4(pairs.back().normal, 0), glm::vec4(pairs.back().half_vector, 0), glm::vec4(exponent)});
+    inputs.push_back(input_of(pairs.back().normal, pairs.back().half_vector, float(exponent)));
   }
   ShaderFunction function = highlight_function(power);
   function.textures = textures;
@@ -56,7 +56,7 @@ double highlight_error(ShaderFunctions& shaders, Power power, double exponent, d
 }
 
 double single(ShaderFunctions& shaders, Power power, const glm::vec3& normal, const glm::vec3& half_vector, float n) {
-  return shaders.number(highlight_function(power), {glm::vec4(normal, 0), glm::vec4(half_vector, 0), glm::vec4(n)});
+  return shaders.number(highlight_function(power), input_of(normal, half_vector, n));
 }
 
 Sweep exponent_sweep(ShaderFunctions& shaders) {
@@ -142,22 +142,22 @@ void add_table_rows(Table& table, ShaderFunctions& shaders) {
   group.close("n = 0.5: the slope is infinite at 0",
               {0.5 / 64, "absolute", "sqrt(1/4095), the first entry; at half height far less"},
               [=] { return error(0.5f, 4096, 0.5); });
-  group.equals(
-      "N = H reads the last entry, 1, of 2, 3 and 4096",
-      [&shaders] {
-        Values out;
-        for (const int size : {2, 3, 4096}) {
-          Image row(size, 1);
-          row.at(size - 1, 0).r = 1;
-          const GlTexture texture(shaders.gl(), blinn_phong::upload_texture(shaders.gl(), std::vector<Image>{row},
-                                                                            Wrap::clamp_to_edge, Filter::linear));
-          ShaderFunction function = highlight_function(by_table);
-          function.textures = {{"u_power_table", texture.id()}};
-          out.push_back(shaders.number(function, {glm::vec4(0, 1, 0, 0), glm::vec4(0, 1, 0, 0), glm::vec4(7)}));
-        }
-        return out;
-      },
-      {1, 1, 1});
+  group.equals("N = H reads the last entry, 1, of 2, 3 and 4096",
+               [&shaders] {
+                 Values out;
+                 for (const int size : {2, 3, 4096}) {
+                   Image row(size, 1);
+                   row.at(size - 1, 0).r = 1;
+                   const GlTexture texture(shaders.gl(),
+                                           blinn_phong::upload_texture(shaders.gl(), std::vector<Image>{row},
+                                                                       Wrap::clamp_to_edge, Filter::linear));
+                   ShaderFunction function = highlight_function(by_table);
+                   function.textures = {{"u_power_table", texture.id()}};
+                   out.push_back(shaders.number(function, input_of(glm::vec3(0, 1, 0), glm::vec3(0, 1, 0), 7.0f)));
+                 }
+                 return out;
+               },
+               {1, 1, 1});
 }
 
 }  // namespace

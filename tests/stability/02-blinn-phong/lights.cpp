@@ -9,7 +9,7 @@ void add_attenuation_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("attenuation (GLSL)");
   const auto attenuation = [&shaders](float distance, const glm::vec3& c) {
     const ShaderFunction function = blinn_phong_function({"d", "c"}, "vec4(attenuation(d.x, c.xyz))");
-    return shaders.number(function, {glm::vec4(distance), glm::vec4(c, 0)});
+    return shaders.number(function, input_of(distance, c));
   };
   const auto exact = [](float distance, const glm::dvec3& c) {
     const double d = std::max(double(distance), 0.001);
@@ -45,14 +45,14 @@ void add_cone_rows(Table& table, ShaderFunctions& shaders) {
   /// At an angle off the axis, in radians.
   const auto at_angle = [&shaders, cone](double angle, float inner, float outer) {
     const glm::vec3 along(std::sin(angle), 0, -std::cos(angle));
-    return shaders.number(cone, {glm::vec4(-along, 0), glm::vec4(0, 0, -1, 0), glm::vec4(inner, outer, 0, 0)});
+    return shaders.number(cone, input_of(-along, glm::vec3(0, 0, -1), glm::vec2(inner, outer)));
   };
   /// The share of 4096 random axes whose light is lost at just this angle off the axis, 0 or pi.
   const auto lost = [&shaders, cone](float side, float cosine) {
     std::vector<ShaderInput> inputs;
     for (int i = 0; i < 4096; ++i) {
       const glm::vec3 axis(Trial(110, i).direction());
-      inputs.push_back({glm::vec4(-side * axis, 0), glm::vec4(axis, 0), glm::vec4(cosine, cosine, 0, 0)});
+      inputs.push_back(input_of(-side * axis, axis, glm::vec2(cosine)));
     }
     double count = 0;
     for (const glm::vec4& light : shaders.evaluate(cone, inputs)) count += light.x != 1.0f;
@@ -67,17 +67,15 @@ void add_cone_rows(Table& table, ShaderFunctions& shaders) {
                  return Values{at_angle(1.0455, 0.5f, 0.5f), at_angle(1.0489, 0.5f, 0.5f)};
                },
                {1, 0});
-  group.equals("equal cosines of 0: lit on the edge itself",
+  group.equals(
+      "equal cosines of 0: lit on the edge itself",
+      [=, &shaders] { return Values{shaders.number(cone, input_of(glm::vec3(-1, 0, 0), glm::vec3(0, 0, -1), 0.0f))}; },
+      {1});
+  group.equals("a cone of 0 on its axis, exactly represented",
                [=, &shaders] {
-                 return Values{shaders.number(cone, {glm::vec4(-1, 0, 0, 0), glm::vec4(0, 0, -1, 0), glm::vec4(0)})};
+                 return Values{shaders.number(cone, input_of(glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec2(1)))};
                },
                {1});
-  group.equals(
-      "a cone of 0 on its axis, exactly represented",
-      [=, &shaders] {
-        return Values{shaders.number(cone, {glm::vec4(0, 0, 1, 0), glm::vec4(0, 0, -1, 0), glm::vec4(1, 1, 0, 0)})};
-      },
-      {1});
   group.finite("cosines one float apart", [=] {
     const float inner = 0.5f, outer = std::nextafter(0.5f, 0.0f);
     return Values{at_angle(1.0, inner, outer), at_angle(1.0471976, inner, outer), at_angle(1.1, inner, outer)};
@@ -128,8 +126,7 @@ class Arriving {
   Arrival both(const std::string& call, const glm::vec3& light, const glm::vec3& colour, const glm::vec3& coefficients,
                const glm::vec3& position) const {
     const std::vector<std::string> names = {"light", "colour", "coefficients", "position"};
-    const ShaderInput input = {glm::vec4(light, 0), glm::vec4(colour, 0), glm::vec4(coefficients, 0),
-                               glm::vec4(position, 0)};
+    const ShaderInput input = input_of(light, colour, coefficients, position);
     // The vector to the light comes out of the call, so it is read behind it.
     const std::string helpers =
         "vec3 to_light;\nvec4 first(vec3 arriving) { return vec4(arriving, 0.0); }\n"

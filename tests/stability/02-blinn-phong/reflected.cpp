@@ -17,8 +17,7 @@ ShaderFunction reflected_function(const Variant& variant) {
 }
 
 ShaderInput input(const glm::vec3& normal, const glm::vec3& to_eye, const glm::vec3& to_light, const Surface& s) {
-  return {glm::vec4(normal, 0), glm::vec4(to_eye, 0), glm::vec4(to_light, 0), glm::vec4(s.diffuse, 0),
-          glm::vec4(s.specular, s.exponent)};
+  return input_of(normal, to_eye, to_light, s.diffuse, glm::vec4(s.specular, s.exponent));
 }
 
 /// In double precision, with the angle of the half vector from the cosine of the doubled angle where the contract has

@@ -92,9 +92,8 @@ class Shade {
 
  private:
   glm::dvec3 evaluate(const ShaderFunction& function, const Place& p) const {
-    return glm::dvec3(
-        shaders_->evaluate(function, {glm::vec4(p.position, 0), glm::vec4(p.normal, 0), glm::vec4(p.eye, 0),
-                                      glm::vec4(p.diffuse, 0), glm::vec4(p.specular, p.exponent)}));
+    return glm::dvec3(shaders_->evaluate(
+        function, input_of(p.position, p.normal, p.eye, p.diffuse, glm::vec4(p.specular, p.exponent))));
   }
   ShaderFunctions* shaders_;
 };

@@ -13,8 +13,7 @@ class Moved {
                     const glm::vec3& position = {}) const {
     return values(
         glm::vec3(shaders_->evaluate(shadow_function({"p", "n", "l", "a", "amount"}, "vec4(" + call_ + ", 0.0)"),
-                                     {glm::vec4(position, 1), glm::vec4(normal, 0), glm::vec4(to_light, 0),
-                                      glm::vec4(axis, 0), glm::vec4(amount)})));
+                                     input_of(position, normal, to_light, axis, amount))));
   }
 
  private:
@@ -77,7 +76,7 @@ void add_plane_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("plane_slope (GLSL)");
   const auto slope = [&shaders](const glm::vec3& dx, const glm::vec3& dy) {
     const glm::vec4 s = shaders.evaluate(shadow_function({"dx", "dy"}, "vec4(plane_slope(dx.xyz, dy.xyz), 0.0, 0.0)"),
-                                         {glm::vec4(dx, 0), glm::vec4(dy, 0)});
+                                         input_of(dx, dy));
     return Values{s.x, s.y};
   };
   const Values none{0, 0};

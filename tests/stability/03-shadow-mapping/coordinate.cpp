@@ -14,7 +14,7 @@ class Coordinate {
     const glm::mat4 m = bias_matrix() * light_projection(frustum) * light_view(frustum);
     const ShaderFunction function = shadow_function({"m0", "m1", "m2", "m3", "position"},
                                                     "vec4(shadow_coordinate(mat4(m0, m1, m2, m3), position.xyz), 0.0)");
-    return values(glm::vec3(shaders_->evaluate(function, {m[0], m[1], m[2], m[3], glm::vec4(position, 1)})));
+    return values(glm::vec3(shaders_->evaluate(function, input_of(m, position))));
   }
 
  private:
@@ -89,7 +89,7 @@ void add_coordinate_rows(Table& table, ShaderFunctions& shaders) {
   const auto map_width = [&shaders](float half, float depth, bool sun) {
     const ShaderFunction function =
         shadow_function({"in_light", "directional", "depth"}, fmt::format("vec4(map_width({}, depth.x))", plain_light));
-    return Values{shaders.number(function, {glm::vec4(half, 1, 2, 0), glm::vec4(sun ? 1 : 0), glm::vec4(depth)})};
+    return Values{shaders.number(function, input_of(glm::vec3(half, 1, 2), float(sun), depth))};
   };
   width.equals("a spot at no distance", [=] { return map_width(0.5f, 0, false); }, {0});
   width.equals("a spot at 1e6 m", [=] { return map_width(0.5f, 1e6f, false); }, {1e6});

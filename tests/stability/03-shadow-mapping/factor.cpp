@@ -17,8 +17,7 @@ class Factor {
   Factor(ShaderFunctions& shaders, const Variant& variant, float depth)
       : shaders_(&shaders), map_(std::make_shared<DepthMap>(shaders.gl(), std::initializer_list<float>{depth})) {
     const LightFrustum spot{.eye = {0, 4, 0}, .extent = 0.5f, .near = 0.5f, .far = 8};
-    const glm::mat4 m = bias_matrix() * light_projection(spot) * light_view(spot);
-    matrix_ = {m[0], m[1], m[2], m[3]};
+    world_to_map_ = bias_matrix() * light_projection(spot) * light_view(spot);
     function_ = map_->read_by(shadow_function(
         {"m0", "m1", "m2", "m3", "p", "n", "l"},
         "vec4(shadow_factor(ShadowLight(mat4(m0, m1, m2, m3), vec3(0.0, 4.0, 0.0), vec3(0.0, -1.0, 0.0), 0.5463, 0.5, "
@@ -29,18 +28,14 @@ class Factor {
   /// Of neighbouring pixels, so that derivatives are between them.
   Values operator()(const std::vector<Place>& places) const {
     std::vector<ShaderInput> inputs;
-    for (const Place& p : places) {
-      ShaderInput input = matrix_;
-      input.insert(input.end(), {glm::vec4(p.position, 1), glm::vec4(p.normal, 0), glm::vec4(p.to_light, 0)});
-      inputs.push_back(std::move(input));
-    }
+    for (const Place& p : places) inputs.push_back(input_of(world_to_map_, p.position, p.normal, p.to_light));
     return shaders_->numbers(function_, inputs);
   }
 
  private:
   ShaderFunctions* shaders_;
   std::shared_ptr<DepthMap> map_;
-  ShaderInput matrix_;
+  glm::mat4 world_to_map_;
   ShaderFunction function_;
 };
 

@@ -13,7 +13,7 @@ class Lookup {
         map_(std::make_shared<DepthMap>(shaders.gl(), depths, variant.compare)),
         function_(map_->read_by(shadow_function({"at", "slope"}, fmt::format("vec4({})", call), variant))) {}
   Values operator()(const glm::vec3& at, const glm::vec2& slope = {}) const {
-    return {shaders_->number(function_, {glm::vec4(at, 0), glm::vec4(slope, 0, 0)})};
+    return {shaders_->number(function_, input_of(at, slope))};
   }
 
  private:

@@ -81,7 +81,7 @@ void add_depth_pass_rows(Group& group, ShaderFunctions& shaders) {
                             "depth_pass_position(position.xyz)"};
     function.uniforms = {
         {"u_model", values(model)}, {"u_light_view", values(view)}, {"u_light_projection", values(projection)}};
-    return values(shaders.evaluate(function, {glm::vec4(at, 1)}));
+    return values(shaders.evaluate(function, input_of(at)));
   };
   const glm::mat4 one(1);
   const LightFrustum spot{.eye = {0, 2, 0}, .extent = 0.5f, .near = 0.5f, .far = 4};

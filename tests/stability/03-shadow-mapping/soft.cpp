@@ -13,7 +13,7 @@ class OfLight {
   double operator()(const glm::vec4& light, bool sun, const glm::vec4& v) const {
     const ShaderFunction function =
         shadow_function({"in_light", "directional", "v"}, "vec4(" + call_ + ")", {.samples = 4});
-    return shaders_->number(function, {light, glm::vec4(sun ? 1 : 0), v});
+    return shaders_->number(function, input_of(light, float(sun), v));
   }
 
  private:
@@ -71,7 +71,7 @@ class SoftMap {
                                       fmt::format(fmt::runtime(call), plain_light), {.samples = 16, .random = random}));
   }
   double operator()(const glm::vec4& light, bool sun, const glm::vec3& at, const glm::vec4& v) const {
-    return shaders_->number(function_, {light, glm::vec4(sun ? 1 : 0), glm::vec4(at, 0), v});
+    return shaders_->number(function_, input_of(light, float(sun), at, v));
   }
 
  private:

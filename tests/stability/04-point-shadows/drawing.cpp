@@ -150,7 +150,7 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
                                 {"position", "light", "far"},
                                 "vec4(stored_distance(position.xyz, light.xyz, far.x))"};
   const auto distance = [&shaders, function](const glm::vec3& position, const glm::vec3& light, float far) {
-    return shaders.number(function, {glm::vec4(position, 0), glm::vec4(light, 0), glm::vec4(far)});
+    return shaders.number(function, input_of(position, light, far));
   };
   stored.equals("at the lamp; beyond the farthest, also by 1e18",
                 [=] {
@@ -167,7 +167,7 @@ void add_drawing_rows(Table& table, ShaderFunctions& shaders) {
                    Trial t(420, i);
                    const double far = t.size_between(1e-6, 1e6);
                    const glm::vec3 position(far * t.between(0, 1) * t.direction());
-                   inputs.push_back({glm::vec4(position, 0), glm::vec4(0), glm::vec4(float(far))});
+                   inputs.push_back(input_of(position, glm::vec3(0), float(far)));
                    expected.push_back(std::min(1.0, glm::length(glm::dvec3(position)) / double(float(far))));
                  }
                  return difference(shaders.numbers(function, inputs), expected);

@@ -29,8 +29,7 @@ Values factors(ShaderFunctions& shaders, int bias, const Lamp& lamp, const std::
   function.cubes = {{"u_cube_0", cube.texture.id()}};
   std::vector<ShaderInput> inputs;
   for (const Point& p : points)
-    inputs.push_back({glm::vec4(p.position, 0), glm::vec4(p.normal, 0), glm::vec4(p.to_light, 0),
-                      glm::vec4(lamp.position, lamp.far)});
+    inputs.push_back(input_of(p.position, p.normal, p.to_light, glm::vec4(lamp.position, lamp.far)));
   return shaders.numbers(function, inputs);
 }
 

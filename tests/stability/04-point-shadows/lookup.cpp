@@ -15,7 +15,7 @@ Values asked(ShaderFunctions& shaders, const Lookup& lookup, const std::string& 
   ShaderFunction function = lookup_function({"direction", "reference"}, expression, lookup);
   function.cubes = {{"u_cube_0", cube.texture.id()}};
   std::vector<ShaderInput> inputs;
-  for (const glm::vec3& direction : directions) inputs.push_back({glm::vec4(direction, 0), glm::vec4(reference)});
+  for (const glm::vec3& direction : directions) inputs.push_back(input_of(direction, reference));
   return shaders.numbers(function, inputs);
 }
 
@@ -77,7 +77,7 @@ double count_spread_otherwise(ShaderFunctions& shaders) {
     for (int ahead = 0; ahead < 6; ++ahead) {
       glm::vec3 along(0);
       along[ahead / 2] = ahead % 2 ? -3.0f : 3.0f;
-      const double on_far = 9 * shaders.number(function, {glm::vec4(along, 0), glm::vec4(0.5f)});
+      const double on_far = 9 * shaders.number(function, input_of(along, 0.5f));
       const int least = ahead == far || ahead / 2 != far / 2 ? 1 : 0;
       const int most = ahead / 2 != far / 2 ? 3 : least;
       others += !(std::round(on_far) >= least && std::round(on_far) <= most);
@@ -91,7 +91,7 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
   const ShaderFunction function =
       lookup_function({"direction", "resolution"}, "vec4(cube_texel(direction.xyz, resolution.x))");
   const auto texel = [&shaders, function](const glm::vec3& direction, float resolution) {
-    return shaders.number(function, {glm::vec4(direction, 0), glm::vec4(resolution)});
+    return shaders.number(function, input_of(direction, resolution));
   };
   group.equals(
       "no direction; a corner; one texel a face; 1e30 m away",
@@ -107,7 +107,7 @@ void add_texel_rows(Table& table, ShaderFunctions& shaders) {
                   Trial t(430, i);
                   const glm::vec3 d(t.size_between(1e-6, 1e6) * t.direction());
                   const float resolution = float(int(t.size_between(1, 4097)));
-                  inputs.push_back({glm::vec4(d, 0), glm::vec4(resolution)});
+                  inputs.push_back(input_of(d, resolution));
                   const glm::dvec3 a = glm::abs(glm::dvec3(d));
                   expected.push_back(2 * std::max(a.x, std::max(a.y, a.z)) / double(resolution));
                 }
@@ -146,7 +146,7 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
                         ShaderFunction function =
                             lookup_function({"direction"}, "vec4(compare_cube_distance(0, direction.xyz, 1.0))");
                         function.cubes = {{"u_cube_0", cube.texture.id()}};
-                        out.push_back(shaders.number(function, {glm::vec4(1, 2, 3, 0)}));
+                        out.push_back(shaders.number(function, input_of(glm::vec3(1, 2, 3))));
                       }
                       return out;
                     },
@@ -161,7 +161,7 @@ void add_lookup_rows(Table& table, ShaderFunctions& shaders) {
               filled_cube(shaders.gl(), 1, GL_DEPTH_COMPONENT16, false, {share, share, share, share, share, share});
           ShaderFunction function = lookup_function({"direction"}, "vec4(stored_in_cube(0, direction.xyz))");
           function.cubes = {{"u_cube_0", cube.texture.id()}};
-          return 1e6 * std::abs(shaders.number(function, {glm::vec4(t.direction(), 0)}) - double(share));
+          return 1e6 * std::abs(shaders.number(function, input_of(glm::vec3(t.direction()))) - double(share));
         });
       });
 }

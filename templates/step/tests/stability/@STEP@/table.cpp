@@ -25,9 +25,9 @@ void add_light_rows(Table& table, ShaderFunctions& shaders) {
   const ShaderFunction function{text_including("@STEP@/@NAME@.glsl"),
                                 {"light", "air", "by"},
                                 "vec4(@NAME@_light(light.rgb, air.rgb, by.x, by.y, int(by.z)), 0.0)"};
-  const glm::vec4 light(1, 0.5f, 0, 0), air(0.25f, 0, 1, 0);
+  const glm::vec3 light(1, 0.5f, 0), air(0.25f, 0, 1);
   const auto of = [=, &shaders](float density, float way, float pieces) {
-    return values(glm::vec3(shaders.evaluate(function, ShaderInput{light, air, {density, way, pieces, 0}})));
+    return values(glm::vec3(shaders.evaluate(function, input_of(light, air, glm::vec3(density, way, pieces)))));
   };
   group.equals("no way", [=] { return of(1, 0, 0); }, {1, 0.5, 0});
   group.equals("no air, 1e30 m", [=] { return of(0, 1e30f, 0); }, {1, 0.5, 0});
