@@ -7,8 +7,8 @@
 namespace atelier {
 namespace {
 
-/// One triangle that covers the whole of clip space: corners (-1,-1), (3,-1), (-1,3). A quad of two would shade the
-/// pixels along its diagonal twice.
+/// One triangle that covers all of clip space: corners (-1,-1), (3,-1), (-1,3). A quad of two triangles would shade
+/// some pixels along its diagonal twice.
 constexpr const char* vertex_text = R"(
 out vec2 v_texcoord;
 void main() {
@@ -53,7 +53,7 @@ Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)), no_attributes_(gl) 
 
 void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& area) {
   const DebugGroup group(gl_, "picture to window");
-  reset_state(gl_);  // no conversion to sRGB either: the shader encodes, and some windows would do so too
+  reset_state(gl_);  // also disables sRGB conversion: the shader encodes, and some windows would encode again
   gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
   gl_.UseProgram(program_.id());
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);
