@@ -72,9 +72,9 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
       app.add_flag("--list", line.list, "Print scenes, settings, outputs and probes")->group(what);
   CLI::Option* const out =
       option(what, "--out", line.out, "Draw one picture into this file (.png .exr .bmp .gif); with --cases: a folder");
-  CLI::Option* const record =
-      option(what, "--record", line.record,
-             "Draw a camera orbit around the scene, or the change of --vary: .gif, or numbered .png / .bmp / .exr files");
+  CLI::Option* const record = option(
+      what, "--record", line.record,
+      "Draw a camera orbit around the scene, or the change of --vary: .gif, or numbered .png / .bmp / .exr files");
   CLI::Option* const frames = option(what, "--frames", line.frames, "Pictures of a recording")
                                   ->check(CLI::Range(1, 10000))
                                   ->capture_default_str();
@@ -96,7 +96,8 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
       option(picture, "--target", target, "X,Y,Z where it looks"),
   };
   CLI::Option* const kind = option(how, "--context", context, "osmesa, egl or window");
-  option(how, "--implementations", implementations, "Where code is searched: DIR or STEP=DIR, joined by ':', first match wins");
+  option(how, "--implementations", implementations,
+         "Where code is searched: DIR or STEP=DIR, joined by ':', first match wins");
   CLI::Option* const stats =
       app.add_flag("--stats", line.stats, "Print the cost of drawing; with --cases: write DIR/NAME.stats")->group(how);
   CLI::Option* const repeat =

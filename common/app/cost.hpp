@@ -13,8 +13,7 @@ namespace atelier {
 /// Wall-clock times of frames, each from its first call until OpenGL has finished.
 struct FrameTimings {
   int count = 0;
-  double median_s = 0, least_s = 0,
-         most_s = 0;  ///< seconds; the median of an even number is the mean of the middle two
+  double median_s = 0, least_s = 0, most_s = 0;  ///< seconds; an even count's median is the mean of the middle two
 };
 
 /// Throws Error if there are no times.

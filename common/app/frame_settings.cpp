@@ -21,16 +21,19 @@ std::vector<SettingSpec> frame_settings() {
       {.name = "frame.format",
        .fallback = std::string("32f"),
        .choices = {"32f", "16f", "8"},
-       .help = "how the picture's colours are stored: floats of 32 or 16 bits, or sRGB codes of 8 bits, clamped to 1 (default in a window: 8); data outputs are always 32f"},
+       .help = "how the picture's colours are stored: floats of 32 or 16 bits, or sRGB codes of 8 bits, clamped to 1 "
+               "(default in a window: 8); data outputs are always 32f"},
       {.name = "frame.samples",
        .fallback = std::string("1"),
        .choices = {"1", "4"},
-       .help = "samples per pixel: depth is tested per sample, colour computed once per pixel (default in a window: 4); samples are averaged in linear light, or as codes for an encoded output; data outputs have 1"},
+       .help = "samples per pixel: depth is tested per sample, colour computed once per pixel (default in a window: "
+               "4); samples are averaged in linear light, or as codes for an encoded output; data outputs have 1"},
       {.name = "frame.supersampling",
        .fallback = 1,
        .low = 1,
        .high = 4,
-       .help = "written pictures are drawn this many times as wide and high, and averaged in linear light; not in a window, and not for data outputs"},
+       .help = "written pictures are drawn this many times as wide and high, and averaged in linear light; not in a "
+               "window, and not for data outputs"},
   };
 }
 

@@ -55,16 +55,14 @@ std::vector<SettingSpec> view_settings() {
       {.name = "depth.format",
        .fallback = std::string("24"),
        .choices = {"16", "24", "32f", "32f-reversed"},
-       .help =
-           "how depth is stored; reversed: 1 at the near plane, which distributes float precision better"},
+       .help = "how depth is stored; reversed: 1 at the near plane, which distributes float precision better"},
       {.name = "world.camera_relative",
        .fallback = false,
        .help = "translate the world so that the eye is its origin, in double precision, before conversion to float"},
       {.name = "draw.wireframe", .fallback = false, .help = "edges instead of faces"},
       {.name = "camera.fit_depth",
        .fallback = false,
-       .help =
-           "fit the near and far planes to the visible objects, for better depth precision"},
+       .help = "fit the near and far planes to the visible objects, for better depth precision"},
       {.name = "draw.cull", .fallback = false, .help = "skip nodes whose boxes are outside the view"},
   };
 }
@@ -74,7 +72,8 @@ SettingSpec draw_constants_setting() {
           .fallback = std::string("uniforms"),
           .choices = {"uniforms", "varyings"},
           .help =
-              "how constants of a draw reach its pixels; varyings: cheaper per pixel if the driver fetches uniforms for every pixel (without a GPU), more expensive per triangle"};
+              "how constants of a draw reach its pixels; varyings: cheaper per pixel if the driver fetches uniforms "
+              "for every pixel (without a GPU), more expensive per triangle"};
 }
 
 SettingSpec chain_format_setting() {

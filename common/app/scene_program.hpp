@@ -19,8 +19,8 @@ struct SceneStep {
   std::string name;   ///< "01-transforms"
   std::string title;  ///< "Transforms and vertex buffers"
   SceneTable scenes;
-  std::vector<std::vector<SettingSpec>>
-      settings;  ///< by group, in the order of the panel; "draw.constants" and the frame settings follow
+  /// By group, in the order of the panel; "draw.constants" and the frame settings follow.
+  std::vector<std::vector<SettingSpec>> settings;
   std::vector<OutputSpec> outputs;  ///< beside "colour" and the renderer's own
   std::map<std::string, Probe> probes;
   TransformFunctions transforms;

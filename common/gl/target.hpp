@@ -26,7 +26,8 @@ GLenum internal_format(ColourFormat format);  ///< OpenGL's name of it: GL_RGBA3
 
 bool has_stencil(const TargetSpec& spec);
 
-std::string to_string(const TargetSpec& spec);  ///< "640x480, colour rgba32f, depth depth24"; if multisampled, also ", 4 samples"
+/// "640x480, colour rgba32f, depth depth24"; if multisampled, also ", 4 samples".
+std::string to_string(const TargetSpec& spec);
 
 /// Nominal size of all attachments together; with multisampling, of the samples and of the textures that they are
 /// resolved into.

@@ -23,8 +23,8 @@ std::vector<Rgba> stored_row(const Image& picture, int y, ColourFormat format) {
 void write_colour(Gl& gl, const Target& target, const Image& picture) {
   const TargetSpec& spec = target.spec();
   if (!target.colour_texture() || spec.samples != 1)
-    throw Error(
-        fmt::format("target {}: to write a picture, it needs its own colour texture and one sample per pixel", to_string(spec)));
+    throw Error(fmt::format("target {}: to write a picture, it needs its own colour texture and one sample per pixel",
+                            to_string(spec)));
   if (picture.width() != spec.width || picture.height() != spec.height)
     throw Error(
         fmt::format("target {}: a picture of {}x{} does not fit", to_string(spec), picture.width(), picture.height()));

@@ -49,8 +49,8 @@ struct CodeTable {
   CodeTable() {
     for (std::size_t code = 0; code < borders.size(); ++code) borders[code] = srgb_decode((double(code) + 0.5) / 255);
     for (std::size_t step = 0; step < steps; ++step)
-      first[step] = std::uint8_t(std::upper_bound(borders.begin(), borders.end(), double(step) / steps) -
-                                 borders.begin());
+      first[step] =
+          std::uint8_t(std::upper_bound(borders.begin(), borders.end(), double(step) / steps) - borders.begin());
   }
 };
 

@@ -16,8 +16,8 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 
 void check(const Image& yours, const Image& reference, double delta = 0) {
   if (yours.empty() || !yours.same_size(reference))
-    throw Error(fmt::format("Only pictures of the same size can be compared, not {} x {} and {} x {} pixels.", yours.width(),
-                            yours.height(), reference.width(), reference.height()));
+    throw Error(fmt::format("Only pictures of the same size can be compared, not {} x {} and {} x {} pixels.",
+                            yours.width(), yours.height(), reference.width(), reference.height()));
   if (!(delta >= 0)) throw Error(fmt::format("A tolerance of {} is not possible: it is 0 or more.", delta));
 }
 

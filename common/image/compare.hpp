@@ -38,8 +38,7 @@ class Mask {
 
  private:
   int width_ = 0, height_ = 0;
-  std::vector<std::uint8_t>
-      bits_;  // 0 or 1, a byte each: faster than vector<bool>
+  std::vector<std::uint8_t> bits_;  // 0 or 1, a byte each: faster than vector<bool>
 };
 
 /// A pixel is on if its whole 3x3 neighbourhood is on. Pixels outside the picture count as off, so border pixels are
@@ -71,14 +70,15 @@ Image encode_for_comparison(Image linear, float exposure = 1);
 enum class Measure {
   level,    ///< of encoded colours 0..1: the largest difference of a channel, in 1/255
   degrees,  ///< of directions coded as n/2 + 1/2, of any length: the angle between them, 0..180. A vector shorter than
-            ///< 0.02 has no direction (eight bits code zero as 0.004 at best): 0 from another such, 180 from all others. Accurate to 0.02 degrees, except from 179 to 180
+            ///< 0.02 has no direction (eight bits code zero as 0.004 at best): 0 from another such, 180 from all
+            ///< others. Accurate to 0.02 degrees, except from 179 to 180
   number,   ///< of data: the largest difference of a channel, in the data's own unit
 };
 
 struct Difference {
   int over = 0;      ///< pixels further apart than delta
   double share = 0;  ///< the same as a share of all, 0..1
-  int blob = 0;      ///< pixels over delta that remain after one 3x3 erosion: 0 unless they form a solid block of 3x3 or more
+  int blob = 0;      ///< pixels over delta after one 3x3 erosion: 0 unless they form a solid block of 3x3 or more
   Position worst;    ///< where the distance is largest; the first of several
   double worst_distance = 0;  ///< there; infinite if one of the two is NaN or infinite
   Mask mask;                  ///< the pixels over delta

@@ -38,8 +38,7 @@ inline float log2(float x) {
 ///
 /// x = k + f with k whole and |f| <= 1/2: 2^k is an exponent, 2^f = e^(f ln 2) is its Taylor polynomial of degree six.
 inline float exp2(float x) {
-  constexpr float shift =
-      12582912;  // 1.5 * 2^23: adding it rounds to whole numbers
+  constexpr float shift = 12582912;  // 1.5 * 2^23: adding it rounds to whole numbers
   const float k = (x + shift) - shift, t = (x - k) * 0.69314718056f;
   const float power = 1 + t * (1 + t * (1 / 2.0f + t * (1 / 6.0f + t * (1 / 24.0f + t * (1 / 120.0f + t / 720)))));
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) + std::int32_t(k) * (1 << 23));

@@ -45,8 +45,7 @@ enum class Depth {
 };
 
 struct WriteOptions {
-  Encoding encoding =
-      Encoding::linear;  ///< of the image. Integer files store sRGB, EXR linear; data is stored unchanged
+  Encoding encoding = Encoding::linear;  ///< of the image. Integer files store sRGB, EXR linear; data is unchanged
   Depth depth = Depth::automatic;
 };
 

@@ -10,7 +10,7 @@ namespace atelier::oracle {
 enum class Normalisation {
   none,      ///< 1
   n_plus_8,  ///< (n + 8) / 8: the usual one; reflects up to 7.5 % more than arrives, at n = 8
-  exact,     ///< (n + 2)(n + 4) / (8 (2^(-n/2) + n)): a white highlight reflects exactly what arrives at normal incidence
+  exact,  ///< (n + 2)(n + 4) / (8 (2^(-n/2) + n)): a white highlight reflects exactly what arrives at normal incidence
 };
 
 double normalisation_factor(double exponent, Normalisation normalisation);

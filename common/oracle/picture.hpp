@@ -34,9 +34,9 @@ struct PictureRequest {
   Output output = Output::colour;
   int samples = 1;  ///< n x n per pixel on a regular grid, 1..64, averaged; 1: the pixel's centre, as in OpenGL
   Shading shading;
-  bool reversed_depth = false;    ///< of Output::depth
-  glm::dvec3 position_origin{0};  ///< of Output::position: for scenes far from the world's origin
-  int threads = 0;                ///< 0: one per CPU core. The picture is bit-identical for any number
+  bool reversed_depth = false;           ///< of Output::depth
+  glm::dvec3 position_origin{0};         ///< of Output::position: for scenes far from the world's origin
+  int threads = 0;                       ///< 0: one per CPU core. The picture is bit-identical for any number
   std::function<void(double)> progress;  ///< called occasionally on the calling thread with the fraction done, 0..1
 };
 

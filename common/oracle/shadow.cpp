@@ -86,7 +86,8 @@ Ray ShadowRays::to(const glm::ivec2& cell) const {
   if (std::abs(climb) < level_) way += (gap_ - climb) * normal_;
   way -= gap_ * normal_;
   const double length = glm::length(way);
-  return {apex_, way, 0, length > gap_ ? 1 - gap_ / length : 0};  // a surface that touches the light does not occlude it
+  return {apex_, way, 0,
+          length > gap_ ? 1 - gap_ / length : 0};  // a surface that touches the light does not occlude it
 }
 
 /// Counts the cells that the point sees, one rectangle of cells at a time: all of it if nothing can occlude it, none of
@@ -152,7 +153,8 @@ class SeenCells {
 
   const World& world_;
   const ShadowRays& rays_;
-  std::vector<std::uint32_t> things_;  ///< a stack of possible occluders: those of a rectangle on top of those of the enclosing rectangle
+  /// A stack of possible occluders: those of a rectangle on top of those of the enclosing rectangle.
+  std::vector<std::uint32_t> things_;
 };
 
 }  // namespace

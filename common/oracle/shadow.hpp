@@ -18,8 +18,8 @@
 
 namespace atelier::oracle {
 
-/// The fraction of the light that reaches the point, 0..1: its visible fraction times `shading.share`. 1 for a point that
-/// receives no shadow. The visible fraction is a multiple of 1/n^2 (1 lit, 0 in shadow), and 1 if
+/// The fraction of the light that reaches the point, 0..1: its visible fraction times `shading.share`. 1 for a point
+/// that receives no shadow. The visible fraction is a multiple of 1/n^2 (1 lit, 0 in shadow), and 1 if
 /// - `shading` has no shadows, or the light casts none;
 /// - the light's position is the point's.
 /// Every shadow caster occludes what is behind it, including the point's own surface: a floor sees one half of a light

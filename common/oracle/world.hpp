@@ -15,9 +15,10 @@ namespace atelier::oracle {
 
 /// A visible surface point, ready for shading.
 struct SurfacePoint {
-  double t = 0;               ///< ray parameter
-  glm::dvec3 position{0};     ///< world space, metres
-  glm::dvec3 normal{0};       ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on two-sided materials
+  double t = 0;            ///< ray parameter
+  glm::dvec3 position{0};  ///< world space, metres
+  glm::dvec3 normal{0};    ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on
+                           ///< two-sided materials
   glm::dvec3 flat_normal{0};  ///< geometric normal, of unit length, on the visible side
   glm::dvec2 texcoord{0};
   int material = 0;  ///< index into Scene::materials

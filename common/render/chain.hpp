@@ -26,7 +26,8 @@ using PassInputs = std::map<std::string, Image>;
 /// One pass: a shader or a CPU function.
 struct ChainPass {
   std::string name;                ///< its output: the chain's result after this pass
-  std::vector<std::string> reads;  ///< additional outputs of the view ("depth", "normal"), drawn only if listed; "colour" is the scene before the first pass
+  std::vector<std::string> reads;  ///< additional outputs of the view ("depth", "normal"), drawn only if listed;
+                                   ///< "colour" is the scene before the first pass
   bool identity = false;           ///< changes no pixel, so it is skipped
 
   // For a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may

@@ -118,7 +118,7 @@ std::vector<DrawConstant> constants_that_fit(std::span<const DrawConstant> const
 }
 
 PassedConstants pass_as_varyings(std::span<const DrawConstant> constants, const Defines& structure,
-                      const std::string& vertex_text) {
+                                 const std::string& vertex_text) {
   if (constants.empty()) return {};
   PassedConstants glsl;
   const auto declare = [&](const std::string& text) {
@@ -142,8 +142,8 @@ void make_global(ShaderSource& fragment, const PassedConstants& glsl) {
     const std::size_t line = fragment.text.find("\n" + declared);
     const std::size_t end = fragment.text.find(';', line);
     if (line == std::string::npos || end == std::string::npos)
-      throw Error(fmt::format(
-          "a constant that is passed as a varying must be declared by a line that begins with: {}", declared));
+      throw Error(fmt::format("a constant that is passed as a varying must be declared by a line that begins with: {}",
+                              declared));
     fragment.text.insert(end, " = " + value);
     fragment.text.erase(line + 1, std::string_view("uniform ").size());
   }

@@ -46,7 +46,7 @@ struct PassedConstants {
 
 /// Empty without constants. Does not repeat declarations that are in `vertex_text`.
 PassedConstants pass_as_varyings(std::span<const DrawConstant> constants, const Defines& structure,
-                      const std::string& vertex_text);
+                                 const std::string& vertex_text);
 
 /// Replaces uniforms of the fragment stage by global variables that are initialised from the varyings: `uniform vec3
 /// u_ambient;` becomes `vec3 u_ambient = ...;`. Throws Error if one is not declared as DrawConstant requires.

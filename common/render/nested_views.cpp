@@ -37,7 +37,8 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   if (level >= most_levels)
     throw Error(fmt::format("views are nested {} deep: an 8-bit stencil buffer allows no more", level));
   if (!functions.begin_mark || !functions.begin_restore)
-    throw Error("a view inside another needs the functions of step 07, which this program does not pass to the renderer");
+    throw Error(
+        "a view inside another needs the functions of step 07, which this program does not pass to the renderer");
   view.parent = &around.view;
   view.stencil_level = level + 1;
 

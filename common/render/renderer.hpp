@@ -111,7 +111,7 @@ class Renderer : private ScenePainter {
   bool mirrored_ = false;  ///< of the view that is being drawn
 
   std::map<ViewKind, std::vector<Variant>> variants_;  ///< item by item
-  std::uint64_t variants_version_ = 0;                 ///< sum of the features' structure versions for which variants_ was computed
+  std::uint64_t variants_version_ = 0;  ///< sum of the features' structure versions for which variants_ was computed
 };
 
 }  // namespace atelier

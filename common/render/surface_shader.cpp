@@ -70,7 +70,8 @@ std::optional<SlotCode> shading_code(const SurfaceKey& key) {
   if (codes.empty()) return {};
   if (codes.size() > 1)
     throw Error(
-        fmt::format("two features shade the same surface, {} ({}) and {} ({}): use the slot modify_shaded in one of them, or let only one of them need the node",
+        fmt::format("two features shade the same surface, {} ({}) and {} ({}): use the slot modify_shaded in one of "
+                    "them, or let only one of them need the node",
                     codes[0].function, codes[0].include, codes[1].function, codes[1].include));
   return codes[0];
 }

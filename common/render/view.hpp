@@ -28,7 +28,7 @@ struct View {
   std::optional<glm::ivec4> scissor;     ///< pixels: x, y of the lower left corner, width, height
   std::optional<glm::dvec4> clip_plane;  ///< absolute world space: points with dot(plane, (p, 1)) < 0 are clipped
   int stencil_level = 0;                 ///< above 0: drawn only where the stencil buffer holds this number
-  const View* parent = nullptr;  ///< the enclosing view; null: this view has its own target
+  const View* parent = nullptr;          ///< the enclosing view; null: this view has its own target
 };
 
 /// A view with derived data for features, in the shaders' world space (relative to the eye if the view is

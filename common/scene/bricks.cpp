@@ -34,8 +34,9 @@ struct Place {
 Place place_in_bond(const BrickShape& shape, double u, double v) {
   const double y = v * shape.rows;
   const auto row = std::int64_t(y);
-  const double x = u * shape.columns + (row % 2 == 0 ? 0.0 : 0.5);  // running bond: every other row is shifted by half a brick
-  const double aspect = double(shape.rows) / shape.columns;         // a brick's width over its height
+  const double x =
+      u * shape.columns + (row % 2 == 0 ? 0.0 : 0.5);        // running bond: odd rows are shifted by half a brick
+  const double aspect = double(shape.rows) / shape.columns;  // a brick's width over its height
   const double in_x = x - std::floor(x), in_y = y - double(row);
   const double edge = std::min(std::min(in_x, 1 - in_x) * aspect, std::min(in_y, 1 - in_y)) - shape.joint / 2;
   return {std::int64_t(std::floor(x)) % shape.columns, row, edge};

@@ -24,7 +24,7 @@ struct Mesh {
   std::string name;
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;  ///< three per triangle, each below vertices.size()
-  std::vector<glm::vec4> tangents;  ///< empty, or one per vertex: xyz along +u, w the sign of the bitangent (as in glTF)
+  std::vector<glm::vec4> tangents;     ///< empty, or one per vertex: xyz along +u, w the bitangent's sign (as in glTF)
 };
 
 enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };

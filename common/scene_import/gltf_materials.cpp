@@ -172,7 +172,8 @@ TextureIndex GltfMaterials::add_texture(const JsonField& texture_info, Image pix
     texture.wrap = wrap_of(how, "wrapS");
     texture.filter = filter_of(how);
     if (wrap_of(how, "wrapT") != texture.wrap)
-      file_.notes->add(fmt::format("{}: samplers[{}] wraps differently along u and v; the mode of u is used", file_.name, *sampler));
+      file_.notes->add(
+          fmt::format("{}: samplers[{}] wraps differently along u and v; the mode of u is used", file_.name, *sampler));
   }
   if (texture_info.integer_or("texCoord", 0, 1 << 16, 0) != 0)
     file_.notes->add(fmt::format("{}: textures[{}] needs a second set of texture coordinates; the first is used",

@@ -77,7 +77,8 @@ void read_tangents(Mesh& mesh, const GltfFile& file, const std::vector<float>& v
     const float length = glm::length(t);
     if (!(length > 1e-6f) || !std::isfinite(length)) {
       mesh.tangents.clear();
-      file.notes->add(fmt::format("{}: tangents are left out: the tangent of vertex {} has no direction", file.name, i));
+      file.notes->add(
+          fmt::format("{}: tangents are left out: the tangent of vertex {} has no direction", file.name, i));
       return;
     }
     mesh.tangents.emplace_back(t / length, values[4 * i + 3] < 0 ? -1.0f : 1.0f);

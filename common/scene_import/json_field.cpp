@@ -109,7 +109,7 @@ std::size_t JsonField::size_or_zero(const char* key) const {
 
 void JsonField::fail(const std::string& complaint) const {
   throw Error(path_.empty() ? fmt::format("{}: {}", *file_, complaint)
-                           : fmt::format("{}: {}: {}", *file_, path_, complaint));
+                            : fmt::format("{}: {}: {}", *file_, path_, complaint));
 }
 
 namespace {

@@ -47,7 +47,7 @@ class JsonField {
 
  private:
   JsonField(const nlohmann::json& value, const std::string& file, std::string path)
-      : value_(&value), file_(&file), path_(std::move(way)) {}
+      : value_(&value), file_(&file), path_(std::move(path)) {}
 
   const nlohmann::json* value_;
   const std::string* file_;

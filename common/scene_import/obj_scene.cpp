@@ -114,7 +114,8 @@ std::vector<int> add_materials(const ObjFile& obj, const std::filesystem::path& 
   for (const std::string& name : obj.materials) {
     const auto found = library.find(name);
     if (found == library.end())
-      notes.add(fmt::format("{}: material '{}' is in none of its libraries; grey is used instead", path.string(), name));
+      notes.add(
+          fmt::format("{}: material '{}' is in none of its libraries; grey is used instead", path.string(), name));
     const MtlMaterial mtl = found == library.end() ? MtlMaterial{} : found->second;
     scene.materials.push_back(make_material(name, mtl, path.parent_path(), scene, textures, notes));
     places.push_back(int(scene.materials.size()) - 1);

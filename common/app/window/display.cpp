@@ -113,7 +113,8 @@ void listen(GLFWwindow* window) {
 }  // namespace
 
 Display::Library::Library() {
-  glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);  // keep the working directory: paths on the command line are relative to it
+  glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES,
+               GLFW_FALSE);  // keep the working directory: paths on the command line are relative to it
   if (!glfwInit())
     throw Error(
         fmt::format("no window can be opened ({}): draw into a file instead, with --out FILE.png", glfw_words()));

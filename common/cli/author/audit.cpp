@@ -248,9 +248,10 @@ int run_audit(const AuditOptions& options) {
     fmt::print("{}", json);
   else
     print_table(audit);
-  const bool short_of = !audit.problems.empty() || std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) {
-    return falls_short(m);
-  }) || std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
+  const bool short_of =
+      !audit.problems.empty() ||
+      std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) { return falls_short(m); }) ||
+      std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
   return short_of ? exit_failed : exit_ok;
 }
 

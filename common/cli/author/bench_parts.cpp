@@ -47,8 +47,8 @@ void bench_oracle(int repeats, std::vector<Figure>& figures) {
 
 std::vector<Figure> bench_parts(int repeats) {
   std::vector<Figure> figures;
-  figures.push_back(
-      time_runs("context, OSMesa", "created and destroyed", repeats, [] { make_headless_context(ContextKind::osmesa); }));
+  figures.push_back(time_runs("context, OSMesa", "created and destroyed", repeats,
+                              [] { make_headless_context(ContextKind::osmesa); }));
 
   const Image yours = test_picture(512, 512, 0.5f / 255), reference = test_picture(512, 512, 0);
   figures.push_back(

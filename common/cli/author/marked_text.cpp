@@ -42,8 +42,8 @@ class Cutter {
     else if (text == skeleton_mark && part_ == Part::solution)
       part_ = Part::skeleton;
     else if (looks_like_mark(text) || text == skeleton_mark)
-      refuse(fmt::format("'{}' is not a mark here; write '{} TASK', '{}' and '{}', each on its own line", text, open_mark,
-                         skeleton_mark, close_mark));
+      refuse(fmt::format("'{}' is not a mark here; write '{} TASK', '{}' and '{}', each on its own line", text,
+                         open_mark, skeleton_mark, close_mark));
     else if (part_ == Part::skeleton)
       uncomment(indentation, text);
     else

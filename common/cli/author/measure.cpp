@@ -32,7 +32,8 @@ using measure::Program;
 Program program_of(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                    const MeasureOptions& options) {
   Program program{.file = folders.program(step.name), .context = options.context};
-  program.shader_cache = folders.build / "cache" / "measure-shaders";  // separate from the judge's cache: these shaders are optimised
+  program.shader_cache =
+      folders.build / "cache" / "measure-shaders";  // separate from the judge's cache: these shaders are optimised
   if (!options.mine && is_there(folders, step.name, Owner::solution)) {
     program.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
     return program;

@@ -40,7 +40,8 @@ std::string command(const CourseStep& step, const MistakeOptions& options, const
 void check_name(const MistakeOptions& options) {
   static const std::regex form("[a-z0-9-]{1,64}");
   if (!std::regex_match(options.name, form))
-    throw Error(fmt::format("mistake '{}': a name has lower-case letters, digits and dashes, at most 64", options.name));
+    throw Error(
+        fmt::format("mistake '{}': a name has lower-case letters, digits and dashes, at most 64", options.name));
   if (options.variant && options.spelling)
     throw Error("mistake: --variant and --spelling exclude each other: only a mistake has a second spelling");
 }
@@ -49,8 +50,8 @@ int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOp
           const fs::path& folder) {
   const Sources solution = sources_of(folders.solutions() / step.name);
   if (fs::exists(folder) && sources_of(folder) != solution)
-    throw Error(fmt::format("{}: has been edited; turn it into a patch with {}, or remove the folder",
-                            folder.string(), command(step, options)));
+    throw Error(fmt::format("{}: has been edited; turn it into a patch with {}, or remove the folder", folder.string(),
+                            command(step, options)));
   for (const auto& [name, text] : solution) write_file(folder / name, text);
   fmt::print("{} is a copy of the solution. Make the {} there, then type\n\n  {}\n", folder.string(),
              options.variant ? "variant" : "mistake", command(step, options));
@@ -58,7 +59,7 @@ int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOp
 }
 
 void print_next_commands(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
-                       const Place& place) {
+                         const Place& place) {
   const std::string list = relative(folders, place.list), number = step.number();
   fmt::print("\nNext:\n");
   if (!options.spelling) fmt::print("  write the texts of '{}' in {}\n", options.name, list);

@@ -198,7 +198,7 @@ void print_table(const std::vector<ReferenceRow>& rows) {
 
 /// Other problems of the step's cases, if all were requested, and of new references against the truth.
 Problems problems_of(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
-               const std::vector<ReferenceRow>& rows) {
+                     const std::vector<ReferenceRow>& rows) {
   std::vector<std::string> fresh;
   for (const ReferenceRow& row : rows)
     if (row.state == "written") fresh.push_back(row.name);

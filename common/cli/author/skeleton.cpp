@@ -20,8 +20,8 @@ namespace {
 struct Skeleton {
   std::string name;  ///< "02-blinn-phong/blinn_phong.cpp"
   std::string text;
-  bool current = false;         ///< steps/ and the record match it
-  bool edited = false;  ///< steps/ has a file that this command has not written
+  bool current = false;  ///< steps/ and the record match it
+  bool edited = false;   ///< steps/ has a file that this command has not written
 };
 
 std::vector<Skeleton> make_skeletons(const ProjectFolders& folders, const std::vector<CourseStep>& steps,

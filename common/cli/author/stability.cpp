@@ -170,8 +170,8 @@ int run_stability(const StabilityOptions& options) {
     fmt::print("{}\n", OrderedJson{{"tables", answers}}.dump(2));
   } else {
     print_rows(rows, options.all);
-    fmt::print("All rows{} are in {}\n",
-               with_plots ? " and the plots" : " and, without gnuplot, the plots' numbers", out.string());
+    fmt::print("All rows{} are in {}\n", with_plots ? " and the plots" : " and, without gnuplot, the plots' numbers",
+               out.string());
   }
   return std::all_of(rows.begin(), rows.end(), [](const StabilityRow& r) { return r.held; }) ? exit_ok : exit_failed;
 }

@@ -43,22 +43,25 @@ std::string handout_text(const ProjectFolders& folders, const std::string& step)
   return fs::exists(file) ? read_file(file, 4 << 20) : std::string();
 }
 
-Problems problems_of_handout(const ProjectFolders& folders, const CourseStep& step, const std::vector<JudgedCase>& cases) {
+Problems problems_of_handout(const ProjectFolders& folders, const CourseStep& step,
+                             const std::vector<JudgedCase>& cases) {
   const std::string file = fmt::format("handouts/{}.md", step.name), handout = handout_text(folders, step.name);
-  if (handout.empty()) return {file + " is missing: goal, theory, tasks, what goes wrong, extremes"};
+  if (handout.empty()) return {file + " is missing: goal, theory, tasks, troubleshooting, extreme inputs"};
   Problems problems;
   std::map<std::string, double> points = {{"core", 0}, {"further", 0}, {"challenge", 0}};
   for (const JudgedCase& c : cases) {
     points[c.tier] += c.points;
     if (c.points > 0 && !c.hidden && handout.find('`' + c.ask.name + '`') == handout.npos)
-      problems.push_back(fmt::format("{} does not name the case `{}`: add it to a table of the tasks", file, c.ask.name));
+      problems.push_back(
+          fmt::format("{} does not name the case `{}`: add it to a table of the tasks", file, c.ask.name));
   }
   if (points["core"] == 0) return problems;
   for (const auto& [tier, sum] : points) {
     std::smatch row;
     const bool has_row = std::regex_search(handout, row, std::regex("\n\\| " + tier + " \\| [^|]+ \\| ([0-9.]+) \\|"));
     if (sum == 0 && has_row)
-      problems.push_back(fmt::format("{}: the table of tiers has a row of {}, and no case has points there", file, tier));
+      problems.push_back(
+          fmt::format("{}: the table of tiers has a row of {}, and no case has points there", file, tier));
     if (sum > 0 && (!has_row || row[1] != fmt::format("{}", sum)))
       problems.push_back(
           fmt::format("{}: the table of tiers must have a row | {} | HOURS | {} | WHAT |", file, tier, sum));
@@ -73,9 +76,10 @@ Problems problems_of_tests(const ProjectFolders& folders, const CourseStep& step
   Problems problems;
   if (!fs::exists(tests / "steps") || !has_cpp(step)) return problems;
   if (sources_in(tests / "steps", "required").find(fmt::format("[{}]", step.name)) == std::string::npos)
-    problems.push_back(fmt::format(
-        "tests/steps/required*.cpp has no test with the tags [required][{}]: add a row for each optional feature of a scene: unused features must cost nothing",
-        step.name));
+    problems.push_back(
+        fmt::format("tests/steps/required*.cpp has no test with the tags [required][{}]: add a row for each optional "
+                    "feature of a scene: unused features must cost nothing",
+                    step.name));
   if (!fs::exists(folders.case_file(step.name))) return problems;
   const std::string extremes = sources_in(tests / "stability" / step.name);
   std::set<std::string> functions;
@@ -101,7 +105,8 @@ Problems problems_of_cases(const ProjectFolders& folders, const CourseStep& step
   return problems;
 }
 
-Problems problems_of_truth(const ProjectFolders& folders, const CourseStep& step, const std::vector<std::string>& names) {
+Problems problems_of_truth(const ProjectFolders& folders, const CourseStep& step,
+                           const std::vector<std::string>& names) {
   std::vector<JudgedCase> cases = pictures_of(folders, step);
   std::erase_if(cases,
                 [&](const JudgedCase& c) { return std::find(names.begin(), names.end(), c.ask.name) == names.end(); });
@@ -165,7 +170,7 @@ Problems problems_of_measured(const ProjectFolders& folders, const measure::Step
     const std::string plot = fmt::format("](plots/{}-{}.svg)", number, sweep.plan.name);
     if (sweep.plan.handout && handout.find(plot) == handout.npos)
       problems.push_back(fmt::format("handouts/{}.md does not show the plot of sweep '{}': add ![WHAT IT SHOWS{}",
-                                  measured.step, sweep.plan.name, plot));
+                                     measured.step, sweep.plan.name, plot));
   }
   if (slopes < 2)
     problems.push_back(

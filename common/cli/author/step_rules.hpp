@@ -25,7 +25,8 @@ Problems problems_of_cases(const ProjectFolders& folders, const CourseStep& step
 
 /// Also printed by ./atelier reference, for the pictures among these cases: the reference must be the ground truth (by
 /// `agreement`), or the case must say in truth_differs why not.
-Problems problems_of_truth(const ProjectFolders& folders, const CourseStep& step, const std::vector<std::string>& cases);
+Problems problems_of_truth(const ProjectFolders& folders, const CourseStep& step,
+                           const std::vector<std::string>& cases);
 
 /// Printed by ./atelier audit: mistakes and variants must have their texts, and each mistake a second spelling.
 Problems problems_of_mistakes(const ProjectFolders& folders, const CourseStep& step);

@@ -98,9 +98,9 @@ StepNames names_of_step(const std::string& text, const std::string& title) {
   };
   if (names.title.size() > longest_title || names.title.front() == ' ' ||
       std::any_of(names.title.begin(), names.title.end(), unfit))
-    throw Error(
-        fmt::format("new-step: --title '{}': at most {} bytes, no space at its beginning, and none of \" \\ | $ ; @ ` < >",
-                    names.title, longest_title));
+    throw Error(fmt::format(
+        "new-step: --title '{}': at most {} bytes, no space at its beginning, and none of \" \\ | $ ; @ ` < >",
+        names.title, longest_title));
   bool begins = true;
   for (char& c : names.name) {
     if (c != '-') names.type += begins && c >= 'a' ? char(c - 'a' + 'A') : c;
@@ -122,8 +122,8 @@ std::string filled_in(const std::string& text, const StepNames& names, const std
   for (std::sregex_iterator at(text.begin(), text.end(), placeholder), end; at != end; ++at) {
     const auto found = values.find(at->str());
     if (found == values.end())
-      throw Error(fmt::format("{}: {} is not a placeholder; there are @STEP@, @NUMBER@, @NAME@, @TYPE@ and @TITLE@", where,
-                              at->str()));
+      throw Error(fmt::format("{}: {} is not a placeholder; there are @STEP@, @NUMBER@, @NAME@, @TYPE@ and @TITLE@",
+                              where, at->str()));
     out.append(rest, (*at)[0].first);
     out += found->second;
     rest = (*at)[0].second;
@@ -148,12 +148,11 @@ void refuse_taken(const fs::path& root, const StepNames& names, const StepFiles&
     for (const std::string& step : numbered_in(root / folder)) {
       const std::string there = folder + "/" + step;
       if (step.starts_with(names.number + "-"))
-        throw Error(
-            fmt::format("new-step {}: {} exists already, so the number {} is in use; the lowest free one is {}",
-                        names.step, there, names.number, lowest_free_number(root)));
+        throw Error(fmt::format("new-step {}: {} exists already, so the number {} is in use; the lowest free one is {}",
+                                names.step, there, names.number, lowest_free_number(root)));
       if (step.substr(3) == names.step.substr(3))
-        throw Error(fmt::format("new-step {}: {} exists already, so the name '{}' is in use; choose another", names.step,
-                                there, step.substr(3)));
+        throw Error(fmt::format("new-step {}: {} exists already, so the name '{}' is in use; choose another",
+                                names.step, there, step.substr(3)));
     }
   for (const auto& [path, text] : files)
     if (fs::exists(root / path))

@@ -39,8 +39,8 @@ Tally test_step(const ProjectFolders& folders, const CourseStep& step) {
   }
   if (std::filesystem::exists(folders.build / "bin" / ("stability-" + step.name)))
     tally += report("stability", run_process({.arguments = {(folders.build / "bin" / "atelier").string(), "stability",
-                                                          step.name, "--out", (folders.build / "stability").string()},
-                                            .output_limit = 16 << 20}));
+                                                            step.name, "--out", (folders.build / "stability").string()},
+                                              .output_limit = 16 << 20}));
   return tally;
 }
 

@@ -84,7 +84,7 @@ judge::RunSettings Workshop::settings(const Version& version) const {
   settings.implementations = search_path(folders_, step_, version.code, earlier_);
   settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
-  settings.most_time_outs = 0;  // run every case, even after time-outs
+  settings.most_time_outs = 0;                                   // run every case, even after time-outs
   settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is trusted code
   return settings;
 }

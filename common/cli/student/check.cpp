@@ -37,7 +37,8 @@ std::string on_another_driver(const judge::SubmissionResult& result, bool live) 
   const auto driver = result.environment.find("driver");
   if (live || driver == result.environment.end() || driver->second.find("llvmpipe") != std::string::npos) return {};
   return fmt::format(
-      "Your driver ({}) is not the one that drew the references: if only edges differ, use --references live to compare with the solution's pictures on yours.\n",
+      "Your driver ({}) is not the one that drew the references: if only edges differ, use --references live to "
+      "compare with the solution's pictures on yours.\n",
       driver->second);
 }
 

@@ -82,7 +82,8 @@ int run_compare(const CompareOptions& options) {
   }
   if (shown > 0) return exit_ok;
   fmt::print(
-      "{} has not passed every case yet, as of your last check. Hints: ./atelier hint {}. (--spoil shows the solution anyway.)\n",
+      "{} has not passed every case yet, as of your last check. Hints: ./atelier hint {}. (--spoil shows the solution "
+      "anyway.)\n",
       options.function.empty() ? step.name : options.function, step.number());
   return exit_failed;
 }

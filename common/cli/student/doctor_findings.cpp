@@ -63,11 +63,11 @@ Finding judge_finding(const ContextTrial& headless, const std::string& install) 
             with_packages(install, mesa_packages(install))};
   if (headless.renderer.find("llvmpipe") != std::string::npos)
     return {State::good, "judge", fmt::format("draws with {} by llvmpipe, like the references", headless.kind), ""};
-  return {
-      State::note, "judge",
-      fmt::format("draws with {} by {}, but the references were drawn by llvmpipe: verdicts on edges may differ from the grader's, which counts",
-                  headless.kind, headless.renderer),
-      with_packages(install, mesa_packages(install))};
+  return {State::note, "judge",
+          fmt::format("draws with {} by {}, but the references were drawn by llvmpipe: verdicts on edges may differ "
+                      "from the grader's, which counts",
+                      headless.kind, headless.renderer),
+          with_packages(install, mesa_packages(install))};
 }
 
 }  // namespace
@@ -143,8 +143,7 @@ std::vector<Finding> context_findings(const ContextTrials& trials, const std::st
   std::vector<Finding> findings = {kind_finding("osmesa", trials.osmesa), kind_finding("egl", trials.egl),
                                    kind_finding("window", trials.window), judge_finding(trials.headless, install)};
   if (trials.window.scale)
-    findings.push_back({State::good, "scale",
-                        fmt::format("{} (content scale)", *trials.window.scale), ""});
+    findings.push_back({State::good, "scale", fmt::format("{} (content scale)", *trials.window.scale), ""});
   return findings;
 }
 

@@ -39,8 +39,7 @@ struct Hint {
   int level = 1, levels = most_hints;  ///< "hint 2 of 3"; a case that names no function has one level only
   std::vector<std::string> functions;  ///< the function of each of `texts`; empty at level 1
   std::vector<std::string> texts;
-  std::vector<Contract>
-      contracts;  ///< at level 1: of the functions in question, if at most most_contracts
+  std::vector<Contract> contracts;  ///< at level 1: of the functions in question, if at most most_contracts
 };
 
 /// The hint of `level` (1..3, clamped to the existing levels) for a case. If `case_name` is empty, the case is the

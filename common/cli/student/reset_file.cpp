@@ -63,7 +63,8 @@ std::string pristine_text(const ProjectFolders& folders, const StudentFile& file
   if (fs::is_regular_file(solution))
     return cut_skeleton(read_file(solution), "solutions/" + file.below_steps().string(), file.step.name);
   throw Error(
-      fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); copy the file from the course's archive again",
+      fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); copy the "
+                  "file from the course's archive again",
                   file.below_steps().string()));
 }
 

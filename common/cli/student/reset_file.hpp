@@ -30,7 +30,7 @@ bool is_pristine(const ProjectFolders& folders, const StudentFile& file);
 
 struct Reset {
   bool changed = false;        ///< false if the file was already pristine: nothing was written
-  std::filesystem::path copy;  ///< of the old file: FILE.before-reset, with -2, -3 ... if that exists; empty without old file
+  std::filesystem::path copy;  ///< of the old file: FILE.before-reset, or with -2, -3 ...; empty without old file
 };
 
 /// Overwrites the file in steps/ with the pristine text, after copying the old file to an unused name.

@@ -116,8 +116,7 @@ class Update {
     }
     const fs::path beside = free_path(steps_ / name, ".new");
     write_file(beside, skeleton);
-    say(name, fmt::format("is unchanged; this release's skeleton is in {}",
-                          beside.filename().string()));
+    say(name, fmt::format("is unchanged; this release's skeleton is in {}", beside.filename().string()));
   }
 
   void put(const std::string& name, const std::string& text, const std::string& what) {

@@ -6,13 +6,12 @@
 //   steps/skeletons.sha256    hashes of untouched files (skeleton_record.hpp)
 //
 // For every FILE:
-//   not there                       it is given, also where the student has deleted it to start again
-//   as it was given                 the new skeleton takes its place
-//   edited, the skeleton as before  it stays
-//   edited, a new skeleton          the changes of both are merged by git, and FILE.before-merge keeps the student's;
-//                                   without git, where both have changed the same lines and not the comments alone,
-//                                   or where it is not known what was given: the student's stays, and the new skeleton
-//                                   lies beside as FILE.new
+//   not there                       it is given, also after the student has deleted it to start again
+//   untouched                       it is replaced by the new skeleton
+//   edited, the skeleton as before  it does not change
+//   edited, a new skeleton          git merges both changes, and FILE.before-merge keeps the student's file; without
+//                                   git, if both have changed the same lines (not only comments), or if the given
+//                                   version is unknown: FILE does not change, and the new skeleton is FILE.new
 // Renamed identifiers (renames.hpp) are first changed in the student's file; FILE.before-merge keeps the old version.
 // .given/renames.txt lists the renames that have been applied.
 #pragma once

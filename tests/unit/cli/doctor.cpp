@@ -73,7 +73,7 @@ TEST_CASE("Findings are printed with the command that fixes them") {
         "✗ ninja      not \"found\"\n"
         "             fix: apt-get install ninja-build\n"
         "\nSomething that is needed is missing: see the lines with ✗.\n");
-  CHECK(mentions(to_text({findings[0]}), {"All that is needed is here."}));
+  CHECK(mentions(to_text({findings[0]}), {"Everything needed is installed."}));
 
   const auto json = nlohmann::json::parse(to_json(findings));
   CHECK(json["ok"] == false);
@@ -106,7 +106,7 @@ TEST_CASE("A trial that comes to a bad end says which") {
       {"crashed", {.exit_status = -1, .signal = SIGSEGV, .output = said}, "SIGSEGV"},
       {"refused", {.exit_status = 2, .output = "chatter\nerror: OSMesa is not installed\n"}, "OSMesa is not installed"},
       {"ended", {.exit_status = 127, .output = "cannot open shared object file"}, "status 127"},
-      {"silent", {.output = "chatter"}, "said nothing"},
+      {"silent", {.output = "chatter"}, "printed nothing"},
   };
   for (const Row& row : rows) {
     INFO(row.name);
@@ -126,7 +126,7 @@ TEST_CASE("One kind of context is enough, and none is a lack") {
   const ContextTrial none = failing("not installed");
   const ContextTrial gpu = working("egl", "Mesa Intel(R) UHD Graphics 620");
   const Row rows[] = {
-      {"all but a window", usual(), State::good, {"osmesa", "llvmpipe", "as the references"}},
+      {"all but a window", usual(), State::good, {"osmesa", "llvmpipe", "like the references"}},
       {"EGL alone", {none, working("egl"), none, working("egl")}, State::good, {"egl"}},
       {"a GPU alone", {none, gpu, none, gpu}, State::note, {"Intel", "edges", "grader"}},
       {"nothing", {none, none, none, none}, State::lack, {"OpenGL 3.3"}},
@@ -170,7 +170,7 @@ TEST_CASE("Displays are named, and none is no lack") {
   CHECK(display_finding(":0\033[2J", "").words.find('\033') == std::string::npos);
 }
 
-TEST_CASE("Where the system does not tell of a saved file, doctor says what happens instead") {
+TEST_CASE("If the system does not report saved files, doctor says what happens instead") {
   CHECK(watching_finding(true).state == State::good);
   CHECK(watching_finding(false).state == State::note);
   CHECK(mentions(watching_finding(false).words, {"200 ms"}));
