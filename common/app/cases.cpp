@@ -14,16 +14,16 @@ namespace atelier {
 
 namespace {
 
-void tell(std::optional<int> progress, const std::string& line) {
+void report_progress(std::optional<int> progress, const std::string& line) {
   if (!progress) return;
-  std::fflush(nullptr);  // what was printed belongs to this case
-  // A judge that has gone away reads nothing any more; there is nobody left to answer for.
+  std::fflush(nullptr);  // so that printed output belongs to this case
+  // The judge has closed the pipe: there is nothing left to do.
   if (write(*progress, line.data(), line.size()) != ssize_t(line.size())) _exit(exit_usage);
 }
 
 using Answer = std::function<void(const Case&)>;
 
-void answer_or_say_why_not(const Answer& answer, const Case& c, const std::filesystem::path& folder) {
+void answer_or_write_error(const Answer& answer, const Case& c, const std::filesystem::path& folder) {
   try {
     answer(c);
   } catch (const ShaderError& error) {
@@ -40,9 +40,9 @@ void answer_or_say_why_not(const Answer& answer, const Case& c, const std::files
 void answer_cases(const Answer& answer, const std::filesystem::path& file, const std::filesystem::path& folder,
                   std::optional<int> progress) {
   for (const Case& c : read_cases(file)) {
-    tell(progress, "begin " + c.name + "\n");
-    answer_or_say_why_not(answer, c, folder);
-    tell(progress, "end " + c.name + "\n");
+    report_progress(progress, "begin " + c.name + "\n");
+    answer_or_write_error(answer, c, folder);
+    report_progress(progress, "end " + c.name + "\n");
   }
 }
 

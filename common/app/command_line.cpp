@@ -72,19 +72,19 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
       app.add_flag("--list", line.list, "Print scenes, settings, outputs and probes")->group(what);
   CLI::Option* const out =
       option(what, "--out", line.out, "Draw one picture into this file (.png .exr .bmp .gif); with --cases: a folder");
-  CLI::Option* const record =
-      option(what, "--record", line.record,
-             "Draw a turn round the scene, or what --vary says: .gif, or numbered .png / .bmp / .exr files");
+  CLI::Option* const record = option(
+      what, "--record", line.record,
+      "Draw a camera orbit around the scene, or the change of --vary: .gif, or numbered .png / .bmp / .exr files");
   CLI::Option* const frames = option(what, "--frames", line.frames, "Pictures of a recording")
                                   ->check(CLI::Range(1, 10000))
                                   ->capture_default_str();
-  CLI::Option* const varied = option(what, "--vary", vary, "NAME=FROM..TO: of a recording, a setting that changes");
+  CLI::Option* const varied = option(what, "--vary", vary, "NAME=FROM..TO: a setting that changes in a recording");
   CLI::Option* const cases =
       option(what, "--cases", line.cases, "Answer every case in this file; what the judge calls");
   CLI::Option* const truth =
       app.add_flag("--truth", line.truth, "Trace the ground truth, in double precision, instead of drawing")
           ->group(what);
-  CLI::Option* const samples = option(what, "--samples", line.samples, "Of the truth: N x N in each pixel")
+  CLI::Option* const samples = option(what, "--samples", line.samples, "Of the truth: N x N per pixel")
                                    ->check(CLI::Range(1, 64))
                                    ->capture_default_str();
   const std::vector<CLI::Option*> of_a_picture = {
@@ -96,17 +96,18 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
       option(picture, "--target", target, "X,Y,Z where it looks"),
   };
   CLI::Option* const kind = option(how, "--context", context, "osmesa, egl or window");
-  option(how, "--implementations", implementations, "Whose code: DIR or STEP=DIR, joined by ':', first match wins");
+  option(how, "--implementations", implementations,
+         "Where code is searched: DIR or STEP=DIR, joined by ':', first match wins");
   CLI::Option* const stats =
-      app.add_flag("--stats", line.stats, "Print what the drawing has cost; with --cases: DIR/NAME.stats")->group(how);
+      app.add_flag("--stats", line.stats, "Print the cost of drawing; with --cases: write DIR/NAME.stats")->group(how);
   CLI::Option* const repeat =
-      option(how, "--repeat", line.repeat, "With --stats: draw so often after two frames unwatched, and time each")
+      option(how, "--repeat", line.repeat, "With --stats: time this many frames, after two that are not timed")
           ->check(CLI::Range(1, 10000));
-  app.add_flag("--json", line.json, "Print for programs")->group(how);
+  app.add_flag("--json", line.json, "Print JSON")->group(how);
   CLI::Option* const progress =
-      option(how, "--progress", line.progress, "A descriptor to tell the judge which case is being answered");
+      option(how, "--progress", line.progress, "A file descriptor on which to report the current case to the judge");
 
-  // What would change nothing is refused rather than passed over.
+  // An option without effect is an error.
   frames->needs(record);
   varied->needs(record);
   repeat->needs(stats);
@@ -116,7 +117,7 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   truth->needs(out);
   samples->needs(truth);
   record->excludes(out);
-  for (CLI::Option* other : {record, kind, stats}) truth->excludes(other);  // there is no driver, and nothing is drawn
+  for (CLI::Option* other : {record, kind, stats}) truth->excludes(other);  // the truth uses no driver
   for (CLI::Option* other : {out, record, cases, kind, stats}) list->excludes(other);
   cases->excludes(record);
   for (CLI::Option* other : of_a_picture) {
@@ -144,11 +145,11 @@ std::optional<CommandLine> parse_command_line(int count, char** arguments, const
   for (const std::string& text : settings) line.settings.push_back(parse_setting(text, line.settings));
   if (!vary.empty()) line.vary = parse_range(vary, line.settings);
   if (line.json && !line.list && (!line.stats || !line.cases.empty()))
-    throw Error("--json: what is printed for programs is --list, or the --stats of a picture; add one of them");
+    throw Error("--json: only --list and the --stats of a picture print JSON; add one of them");
   if (line.stats && line.out.empty() && line.record.empty())
-    throw Error("--stats: a window shows what drawing costs; add --out FILE or --record FILE");
+    throw Error("--stats: a window shows the cost of drawing itself; add --out FILE or --record FILE");
   if (line.picture.camera.eye && line.picture.camera.eye == line.picture.camera.target)
-    throw Error("--eye and --target are both " + eye + ": the camera needs somewhere to look");
+    throw Error("--eye and --target are both " + eye + ": they must be different points");
   if (!line.record.empty()) check_recording(line.record);
   return line;
 }

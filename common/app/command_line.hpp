@@ -1,4 +1,4 @@
-// The command line that every step program has.
+// The command line of all step programs.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 
 namespace atelier {
 
-/// --vary NAME=FROM..TO, still as text.
+/// --vary NAME=FROM..TO, unparsed.
 struct SettingRange {
   std::string name, from, to;
 };
@@ -23,21 +23,21 @@ struct CommandLine {
   std::optional<Implementations> implementations;
 
   Case picture;                                               ///< --scene --size --set --output, as for a case
-  std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE, still as text
+  std::vector<std::pair<std::string, std::string>> settings;  ///< --set NAME=VALUE, unparsed
   std::filesystem::path out;                                  ///< --out: a picture file; with --cases: a folder
   std::filesystem::path record;  ///< --record: .gif, or a .png, .bmp or .exr whose frames are numbered
   int frames = 48;
-  std::optional<SettingRange> vary;  ///< --vary: of a recording, what changes in place of the camera
-  int repeat = 0;                    ///< --repeat: how often a picture is drawn by the clock; 0: once, without one
+  std::optional<SettingRange> vary;  ///< --vary: what a recording changes instead of the camera
+  int repeat = 0;                    ///< --repeat: number of timed drawings; 0: one, untimed
 
-  bool truth = false;  ///< --truth: the oracle's pictures instead of OpenGL's
-  int samples = 1;     ///< --samples: n x n a pixel of the truth
+  bool truth = false;  ///< --truth: pictures from the oracle instead of OpenGL
+  int samples = 1;     ///< --samples: n x n per pixel of the truth
 
   std::filesystem::path cases;  ///< --cases: what the judge calls
-  std::optional<int> progress;  ///< --progress: a descriptor for "begin NAME" and "end NAME"
+  std::optional<int> progress;  ///< --progress: a file descriptor for "begin NAME" and "end NAME"
 };
 
-/// Throws Error with what is wrong, also where an option would change nothing; on --help prints and returns nothing.
+/// Throws Error for invalid options and for options without effect; prints the help and returns none for --help.
 std::optional<CommandLine> parse_command_line(int count, char** arguments, const std::string& step);
 
 }  // namespace atelier

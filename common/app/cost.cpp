@@ -11,12 +11,13 @@
 namespace atelier {
 namespace {
 
-/// A group's name as it is shown: a scene file may have chosen a part of it.
+/// A group's name made printable, since it may contain text from a scene file.
 std::string shown_name(const GlGroup& group, std::size_t longest) {
   return shorten(printable(group.name), longest);
 }
 
-/// Bytes: with it the most groups that are listed (256) fit into what reads a .stats file, 64 KiB (case/exchange.hpp).
+/// Bytes: with this limit 256 groups, the most that are listed, fit into the 64 KiB of a .stats file
+/// (case/exchange.hpp).
 constexpr std::size_t longest_in_json = 64;
 
 std::string groups_as_text(const std::vector<GlGroup>& groups) {
@@ -36,7 +37,7 @@ std::string groups_as_text(const std::vector<GlGroup>& groups) {
 }  // namespace
 
 FrameTimings timings_of(std::vector<double> seconds) {
-  if (seconds.empty()) throw Error("no frame was timed: there is no median of nothing");
+  if (seconds.empty()) throw Error("no frame was timed, so there is no median");
   std::sort(seconds.begin(), seconds.end());
   const std::size_t count = seconds.size();
   return {.count = int(count),
@@ -49,25 +50,25 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
   const GlCounts& gl = cost.gl;
   const SceneCounts& scene = cost.scene;
   return {
-      {"passes", gl.passes, "targets drawn into, cleared or resolved into, one after another"},
+      {"passes", gl.passes, "targets drawn into, cleared or resolved into"},
       {"clears", gl.clears, "of a target"},
       {"draws", gl.draws, "glDraw* calls"},
-      {"triangles", gl.triangles, "asked for by the draws"},
-      {"vertices", gl.vertices, "corners asked for by the draws; a shared one counts each time"},
+      {"triangles", gl.triangles, "drawn by these calls"},
+      {"vertices", gl.vertices, "vertices drawn by these calls; a shared one counts each time"},
       {"attributes", gl.attributes, "vertex attributes that the shaders read: position, normal ..."},
       {"variants", gl.variants, "different shader programs drawn with"},
-      {"program_switches", gl.program_switches, "changes from one program to another"},
-      {"programs_linked", gl.programs_linked, "built in this frame; 0 where an earlier one has left them"},
-      {"texture_sources", gl.texture_sources, "textures that the shaders look up"},
-      {"texture_bytes", gl.texture_bytes, "bytes that textures hold, all levels, without targets"},
+      {"program_switches", gl.program_switches, "changes of the current program"},
+      {"programs_linked", gl.programs_linked, "linked in this frame; 0 if an earlier frame has linked them"},
+      {"texture_sources", gl.texture_sources, "textures that the shaders sample"},
+      {"texture_bytes", gl.texture_bytes, "bytes of all textures, all levels, without targets"},
       {"target_bytes", gl.target_bytes, "bytes of the targets drawn into: colour, depth ..."},
-      {"allocated_bytes", gl.allocated_bytes, "bytes of storage asked for in this frame"},
-      {"nodes", scene.nodes, "of the scene that have a mesh, in all views together"},
-      {"nodes_culled", scene.nodes_culled, "of those, outside the view and left out"},
+      {"allocated_bytes", gl.allocated_bytes, "bytes allocated in this frame"},
+      {"nodes", scene.nodes, "nodes with a mesh, in all views together"},
+      {"nodes_culled", scene.nodes_culled, "of those, skipped because they are outside the view"},
       {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
-      {"lights", scene.lights, "added up by the shaders for each point"},
-      {"lookups", scene.lookups, "of texels of shadow maps by the shaders, for each point"},
-      {"lights_culled", scene.lights_culled, "of the scene's, left out because nobody could see them"},
+      {"lights", scene.lights, "lights summed by the shaders for each point"},
+      {"lookups", scene.lookups, "shadow map texels read by the shaders for each point"},
+      {"lights_culled", scene.lights_culled, "lights of the scene, skipped because they are too weak to be visible"},
   };
 }
 

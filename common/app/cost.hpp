@@ -1,4 +1,4 @@
-// What drawing a picture has cost: counts that are the same on every machine, and frame times where they are asked for.
+// The cost of drawing a picture: counts that are the same on every machine, and optionally frame times.
 #pragma once
 
 #include <optional>
@@ -10,21 +10,20 @@
 
 namespace atelier {
 
-/// Wall times of frames, each from its first call until OpenGL has finished it.
+/// Wall-clock times of frames, each from its first call until OpenGL has finished.
 struct FrameTimings {
   int count = 0;
-  double median_s = 0, least_s = 0,
-         most_s = 0;  ///< seconds; the median of an even number is the mean of the middle two
+  double median_s = 0, least_s = 0, most_s = 0;  ///< seconds; an even count's median is the mean of the middle two
 };
 
-/// Throws Error where there are no times.
+/// Throws Error if there are no times.
 FrameTimings timings_of(std::vector<double> seconds);
 
-/// Of one frame: the last one where it was drawn repeatedly.
+/// For one frame: the last one if it was drawn repeatedly.
 struct DrawingCost {
   GlCounts gl;
   SceneCounts scene;
-  std::vector<GlGroup> groups;  ///< in the order of their beginnings
+  std::vector<GlGroup> groups;  ///< in the order in which they began
   std::optional<FrameTimings> frames;
 };
 
@@ -35,15 +34,15 @@ struct CostRow {
   const char* meaning;  ///< with the unit: "bytes of the attachments drawn into"
 };
 
-/// Every count, in the order in which a reader should meet them.
+/// Every count, in the order of the output.
 std::vector<CostRow> cost_rows(const DrawingCost& cost);
 
-/// Tables for people: name, value and meaning of each count; name, passes, draws and triangles of each group, indented
-/// by its depth.
+/// Text tables: name, value and meaning of each count; name, passes, draws and triangles of each group, indented by its
+/// depth.
 std::string cost_as_text(const DrawingCost& cost);
 
 /// {"counts": {NAME: whole number, ...}, "groups": [{"depth", "name", "passes", "draws", "triangles"}, ...],
-/// "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only where frames were timed.
+/// "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only if frames were timed.
 std::string cost_as_json(const DrawingCost& cost);
 
 }  // namespace atelier

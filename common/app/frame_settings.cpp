@@ -21,19 +21,19 @@ std::vector<SettingSpec> frame_settings() {
       {.name = "frame.format",
        .fallback = std::string("32f"),
        .choices = {"32f", "16f", "8"},
-       .help = "how the picture's colours are stored: floats of 32 or 16 bits, or sRGB codes of 8 bits, which end at 1 "
-               "(a window begins with 8); outputs that are data stay 32f"},
+       .help = "how the picture's colours are stored: floats of 32 or 16 bits, or sRGB codes of 8 bits, clamped to 1 "
+               "(default in a window: 8); data outputs are always 32f"},
       {.name = "frame.samples",
        .fallback = std::string("1"),
        .choices = {"1", "4"},
-       .help = "samples a pixel: depth is tested for each, colour worked out once for a pixel (a window begins with "
-               "4); the mean is taken of linear light, or of an encoded output's codes; outputs that are data have 1"},
+       .help = "samples per pixel: depth is tested per sample, colour computed once per pixel (default in a window: "
+               "4); samples are averaged in linear light, or as codes for an encoded output; data outputs have 1"},
       {.name = "frame.supersampling",
        .fallback = 1,
        .low = 1,
        .high = 4,
-       .help = "written pictures are drawn this many times as wide and high, and their linear light is averaged; a "
-               "window does not, and outputs that are data are drawn plainly"},
+       .help = "written pictures are drawn this many times as wide and high, and averaged in linear light; not in a "
+               "window, and not for data outputs"},
   };
 }
 

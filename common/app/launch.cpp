@@ -1,4 +1,4 @@
-// `main` of every step program; the build says which step it is.
+// `main` of every step program; the build defines the step.
 #include "app/shell.hpp"
 
 int main(int count, char** arguments) {

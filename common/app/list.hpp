@@ -1,4 +1,4 @@
-// What --list prints: everything that a step program offers.
+// The output of --list: everything that a step program offers.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ namespace {
 
 const std::filesystem::path project_root = ATELIER_ROOT, build_root = ATELIER_BUILD;
 
-/// The loader says "FILE: undefined symbol: _ZN..."; a student wants to read which function is missing.
+/// Translates the loader's "FILE: undefined symbol: _ZN..." to a message that names the missing function.
 std::string explain_loader(const std::string& words, const std::string& step) {
   const std::string key = "undefined symbol: ";
   const auto at = words.find(key);
@@ -39,7 +39,7 @@ Implementations default_implementations(const StepIdentity& identity) {
   const auto mine = build_root / "implementations" / "mine", solutions = build_root / "implementations" / "solutions";
   const std::string& step = identity.name;
   const auto& libraries = identity.libraries;
-  // Shader files and library come from one hand: with the own C++ not built yet, the own GLSL has to wait too.
+  // Shader files and library must belong together: if the student's C++ is not built yet, do not use their GLSL.
   const bool has_library = std::find(libraries.begin(), libraries.end(), step) != libraries.end();
   const bool built = !has_library || std::filesystem::exists(mine / step / "libstep.so");
   std::vector<Implementations::Root> wanted;

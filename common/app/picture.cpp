@@ -62,7 +62,7 @@ const Target& Painter::target_for(const TargetSpec& spec) {
   return *target_;
 }
 
-/// Draws one frame and takes down its counts; the seconds until OpenGL has finished it.
+/// Draws one frame and stores its counts; returns the seconds until OpenGL has finished.
 double Painter::draw(const Frame& frame, const Settings& settings) {
   gl().restart_counts();
   const auto begin = std::chrono::steady_clock::now();
@@ -71,7 +71,7 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
     program_.draw(frame, settings);
     frame.target.resolve(gl());
   }
-  gl().Finish();  // the commands are only queued until then
+  gl().Finish();  // until here commands are only queued
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   cost_ = {.gl = gl().counts(), .scene = program_.counts(), .groups = gl().groups()};
   return taken.count();
@@ -79,7 +79,7 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
 
 namespace {
 
-/// Refuses in the words of the setting what the target would refuse in its own.
+/// Throws an error that names the setting, before Target would throw its own.
 void check_supersampling(const Gl& gl, glm::ivec2 size, int factor, int samples) {
   const int longest = longest_side(gl, samples);
   if (factor == 1 || std::max(size.x, size.y) * factor <= longest) return;
@@ -126,7 +126,7 @@ std::vector<Numbers> Painter::probe(const Case& values) {
     reset_state(gl());
     results.push_back(found->second(probe_context, arguments));
   }
-  check_gl_error(gl(), ("probe " + values.probe).c_str());  // or the next case would be blamed
+  check_gl_error(gl(), ("probe " + values.probe).c_str());  // else the error would be reported in the next case
   return results;
 }
 

@@ -10,16 +10,16 @@
 
 namespace atelier {
 
-/// The scene's camera with what a case changes of it.
+/// The scene's camera with a case's changes.
 Camera apply(const CaseCamera& change, Camera camera);
 
-/// The program's settings with what a case changes of them. Throws Error for an unknown name or a value out of range.
+/// The program's settings with a case's changes. Throws Error for an unknown name or a value out of range.
 Settings settings_for(const StepDescription& description, const Case& c);
 
-/// Throws Error with the outputs that there are, unless the program has this one.
+/// Throws Error listing the outputs unless the program has this one.
 void check_output(const StepDescription& description, const std::string& output);
 
-/// Of one of the program's outputs; data for others, which the ground truth alone can show.
+/// The encoding of one of the program's outputs; data for others, which only the ground truth has.
 Encoding encoding_of(const StepDescription& description, const std::string& output);
 
 class Painter {
@@ -27,16 +27,15 @@ class Painter {
   /// Opens `program` on `context`; both must outlive the painter.
   Painter(StepProgram& program, HeadlessContext& context, const Implementations& implementations);
 
-  /// Draws a picture case, into the target that app/frame_settings.hpp says. Throws Error where a scene, a setting or
-  /// an output is unknown, and where the driver has no target of the size that "frame.supersampling" makes of it.
+  /// Draws a picture case, into the target of app/frame_settings.hpp. Throws Error if a scene, a setting or an output
+  /// is unknown, or if the size after "frame.supersampling" exceeds the driver's limit.
   Image paint(const Case& picture, double time = 0);
 
-  /// From then on each picture is drawn twice unwatched (shaders are compiled, caches filled) and then `frames` times
-  /// by the clock. 0: once, untimed.
+  /// From now on each picture is drawn twice untimed (to compile shaders and fill caches), then `frames` times timed.
+  /// 0: once, untimed.
   void time_frames(int frames) { timed_frames_ = frames; }
 
-  /// What the last picture has cost, without loading its scene and without the means that supersampling takes on the
-  /// CPU.
+  /// The cost of the last picture, without loading its scene and without the CPU's averaging for supersampling.
   const DrawingCost& cost() const { return cost_; }
 
   /// Calls a probe on each of the case's inputs.

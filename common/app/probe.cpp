@@ -78,7 +78,7 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   const GLuint program = found->second.id();
 
   const Target target(gl_, {.width = 1, .height = 1, .colour = ColourFormat::rgba32f, .depth = DepthFormat::none});
-  reset_state(gl_);  // but not the texture that a sampler of the probe's may read
+  reset_state(gl_);  // keeps the texture that the probe's sampler may read
   label(gl_, target, "probe");
   target.bind(gl_);
   gl_.UseProgram(program);

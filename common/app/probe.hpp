@@ -1,4 +1,4 @@
-// Calling a student's functions on plain numbers, C++ and GLSL alike.
+// Probes: call a student's C++ and GLSL functions with plain numbers.
 #pragma once
 
 #include <functional>
@@ -18,12 +18,12 @@ class ShaderProbe {
  public:
   ShaderProbe(Gl& gl, const Implementations& implementations) : gl_(gl), implementations_(implementations) {}
 
-  /// The vec4 `expression`, in which every argument can be named: 1 number is a float, 2 to 4 a vector, 9 a mat3, 16 a
-  /// mat4. `preamble` stands before it: #include lines, whose files may read arguments as the uniforms that they are.
-  /// Samplers read what is bound to texture unit 0. Throws ShaderError with the author's file and line.
+  /// Evaluates the vec4 `expression`, which can use every argument by name: 1 number is a float, 2 to 4 a vector, 9 a
+  /// mat3, 16 a mat4. `preamble` comes before it: #include lines, whose files may read the arguments as uniforms.
+  /// Samplers read texture unit 0. Throws ShaderError with source file and line.
   glm::vec4 evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments);
 
-  /// The file that a shader of the probe's own includes by this name: a student's, or a given one.
+  /// The file for an include in a probe's own shader: a student's, or a given one.
   std::filesystem::path find(const std::string& name) const { return implementations_.find(name); }
 
  private:
@@ -32,16 +32,16 @@ class ShaderProbe {
   std::map<std::string, GlProgram> programs_;  ///< by text
 };
 
-/// What a probe may use.
+/// What a probe can use.
 struct ProbeContext {
   Gl& gl;
   ShaderProbe& shaders;
 };
 
-/// A student's function on plain numbers. May throw: the sentence is reported.
+/// Calls a student's function with plain numbers. May throw: the message is reported.
 using Probe = std::function<Numbers(ProbeContext& context, const Arguments& arguments)>;
 
-/// Appends numbers of any type.
+/// Appends numbers.
 template <class Values>
 void append(Numbers& numbers, const Values& more) {
   numbers.insert(numbers.end(), std::begin(more), std::end(more));

@@ -22,7 +22,7 @@ glm::dvec3 turned(const Camera& camera, double angle) {
   return camera.target + arm * c + glm::cross(axis, arm) * s + axis * (glm::dot(axis, arm) * (1 - c));
 }
 
-// The value at `share` of the way: by std::lerp, which never leaves the two ends, and so the range of the setting.
+// Interpolates with std::lerp, which never exceeds its ends, so the value stays in the setting's range.
 
 int between(int from, int to, double share) {
   return int(std::lround(std::lerp(from, to, share)));
@@ -55,7 +55,7 @@ VariedSetting varied_setting(const std::vector<SettingSpec>& specs, const std::s
   Settings settings(specs);
   const SettingValue& value = settings.value(name);
   if (std::holds_alternative<bool>(value) || std::holds_alternative<std::string>(value))
-    throw Error(asked + ": it has no numbers to run through; --set it, and vary another");
+    throw Error(asked + ": it has no numeric range; --set it, and vary another");
   const auto read = [&](const std::string& text) {
     settings.set(name, text);
     return settings.value(name);

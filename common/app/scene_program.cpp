@@ -21,8 +21,8 @@ bool is_model_file(const std::string& name) {
   return extension == ".gltf" || extension == ".glb" || extension == ".obj";
 }
 
-/// Says on stderr what was mended or left out.
-Scene import_aloud(const std::string& file) {
+/// Imports a model; prints on stderr what was fixed or left out.
+Scene import_with_notes(const std::string& file) {
   std::vector<std::string> notes;
   Scene scene = import_scene(file, &notes);
   for (const std::string& note : notes)
@@ -30,7 +30,7 @@ Scene import_aloud(const std::string& file) {
   return scene;
 }
 
-/// How pictures between two passes are stored; none: as the picture itself.
+/// The format of pictures between two passes; none: that of the final picture.
 std::optional<ColourFormat> chain_format(const StepDescription& description, const Settings& settings) {
   if (!lists(description, "chain.format")) return {};
   const std::string& format = settings.choice("chain.format");
@@ -38,7 +38,7 @@ std::optional<ColourFormat> chain_format(const StepDescription& description, con
   return format == "8" ? ColourFormat::srgb8 : format == "16f" ? ColourFormat::rgba16f : ColourFormat::rgba32f;
 }
 
-/// The same depth with a stencil buffer beside it. There is none of 16 bits.
+/// The same depth with a stencil buffer. There is none with 16 bits.
 DepthFormat with_stencil(DepthFormat format) {
   return format == DepthFormat::depth32f ? DepthFormat::depth32f_stencil8 : DepthFormat::depth24_stencil8;
 }
@@ -55,17 +55,15 @@ std::vector<SettingSpec> view_settings() {
       {.name = "depth.format",
        .fallback = std::string("24"),
        .choices = {"16", "24", "32f", "32f-reversed"},
-       .help =
-           "how depth is stored; reversed: 1 at the near plane, which spends a float's precision where it is needed"},
+       .help = "how depth is stored; reversed: 1 at the near plane, which distributes float precision better"},
       {.name = "world.camera_relative",
        .fallback = false,
-       .help = "move the world so that the eye is its origin, in double precision, before anything is made a float"},
+       .help = "translate the world so that the eye is its origin, in double precision, before conversion to float"},
       {.name = "draw.wireframe", .fallback = false, .help = "edges instead of faces"},
       {.name = "camera.fit_depth",
        .fallback = false,
-       .help =
-           "move the near and the far plane as close to what is seen as they go, so that depth is not spent on air"},
-      {.name = "draw.cull", .fallback = false, .help = "leave out nodes whose boxes are outside the view"},
+       .help = "fit the near and far planes to the visible objects, for better depth precision"},
+      {.name = "draw.cull", .fallback = false, .help = "skip nodes whose boxes are outside the view"},
   };
 }
 
@@ -74,15 +72,15 @@ SettingSpec draw_constants_setting() {
           .fallback = std::string("uniforms"),
           .choices = {"uniforms", "varyings"},
           .help =
-              "how numbers that are the same for a whole draw reach its pixels; varyings: cheaper for each pixel "
-              "where the driver fetches uniforms for every one (without a GPU), dearer for each triangle"};
+              "how constants of a draw reach its pixels; varyings: cheaper per pixel if the driver fetches uniforms "
+              "for every pixel (without a GPU), more expensive per triangle"};
 }
 
 SettingSpec chain_format_setting() {
   return {.name = "chain.format",
           .fallback = std::string("frame"),
           .choices = {"frame", "32f", "16f", "8"},
-          .help = "how pictures between two passes are stored; frame: as the picture itself"};
+          .help = "how pictures between two passes are stored; frame: like the final picture"};
 }
 
 SceneProgram::SceneProgram(SceneStep step) : step_(std::move(step)) {
@@ -108,9 +106,9 @@ void SceneProgram::open(Gl& gl, const Implementations& implementations) {
 
 void SceneProgram::load(const std::string& scene, const Settings& settings) {
   Loaded wanted{scene, settings.values()};
-  if (loaded_ == wanted && !is_model_file(scene)) return;  // a file may have changed since
+  if (loaded_ == wanted && !is_model_file(scene)) return;  // a model file may have changed
   loaded_.reset();
-  scene_ = is_model_file(scene) ? import_aloud(scene) : make_scene(step_.scenes, scene, settings);
+  scene_ = is_model_file(scene) ? import_with_notes(scene) : make_scene(step_.scenes, scene, settings);
   boxes_.clear();
   renderer_->configure(settings, {.chain_format = chain_format(description_, settings),
                                   .constants_as_varyings = settings.choice("draw.constants") == "varyings"});

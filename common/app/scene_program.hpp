@@ -1,4 +1,4 @@
-// A step program that draws scenes with features: what nearly every step is.
+// A step program that draws scenes with features: the base of nearly every step.
 #pragma once
 
 #include <functional>
@@ -14,19 +14,19 @@
 
 namespace atelier {
 
-/// What a step that draws scenes consists of.
+/// The parts of a step that draws scenes.
 struct SceneStep {
   std::string name;   ///< "01-transforms"
   std::string title;  ///< "Transforms and vertex buffers"
   SceneTable scenes;
-  std::vector<std::vector<SettingSpec>>
-      settings;  ///< group by group, in the order of the panel; "draw.constants" and the frame's own follow
+  /// By group, in the order of the panel; "draw.constants" and the frame settings follow.
+  std::vector<std::vector<SettingSpec>> settings;
   std::vector<OutputSpec> outputs;  ///< beside "colour" and the renderer's own
   std::map<std::string, Probe> probes;
   TransformFunctions transforms;
   std::function<void(FeatureList&)> features;  ///< adds them
-  MakeTruth truth;                             ///< absent: there is no ground truth
-  ChainFunctions chain;                        ///< runs the passes of features that have some
+  MakeTruth truth;                             ///< empty: there is no ground truth
+  ChainFunctions chain;                        ///< for features with post-processing passes
 };
 
 class SceneProgram : public StepProgram {
@@ -47,9 +47,10 @@ class SceneProgram : public StepProgram {
   SceneStep step_;
   StepDescription description_;
   Scene scene_;
-  std::vector<Box3> boxes_;  ///< of the scene's nodes; empty until somebody asks
+  std::vector<Box3> boxes_;  ///< of the scene's nodes; computed when needed
   std::unique_ptr<Renderer> renderer_;
-  /// What the scene was made of. Cases often differ in camera, size or output alone: it is then as they need it.
+  /// What the loaded scene was made from. Cases often differ only in camera, size or output, and then it need not be
+  /// loaded again.
   struct Loaded {
     std::string scene;
     std::map<std::string, SettingValue, std::less<>> settings;
@@ -59,15 +60,15 @@ class SceneProgram : public StepProgram {
 };
 
 /// The settings of step 01's part of the renderer: "depth.format", "world.camera_relative", "draw.wireframe",
-/// "camera.fit_depth", "draw.cull". A program that lists them gets their effect. One that does not leaves out what is
-/// outside the view: it stands on matrices that are right, while step 01 must show what wrong ones do.
+/// "camera.fit_depth", "draw.cull". They work in every program that lists them. A program without "draw.cull" always
+/// culls: it can rely on correct matrices, while step 01 must show the effect of wrong ones.
 std::vector<SettingSpec> view_settings();
 
-/// "draw.constants": uniforms, or varyings for what all pixels of a draw read. Every scene program has it.
+/// "draw.constants": whether constants of a draw are uniforms or varyings. Every scene program has it.
 SettingSpec draw_constants_setting();
 
-/// "chain.format": how pictures between the passes of a chain are stored. A program that does not list it stores them
-/// as the picture itself.
+/// "chain.format": how pictures between the passes of a chain are stored. Without it they are stored like the final
+/// picture.
 SettingSpec chain_format_setting();
 
 /// Whether a program has a setting of this name.

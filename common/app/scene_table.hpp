@@ -1,4 +1,4 @@
-// The scenes of a step: one table of names and of functions that build them.
+// The scenes of a step: a table of names and functions that build them.
 #pragma once
 
 #include <functional>
@@ -12,17 +12,17 @@ namespace atelier {
 
 struct NamedScene {
   std::string name;                            ///< as --scene takes it
-  std::function<Scene(const Settings&)> make;  ///< builds it as the settings shape it
+  std::function<Scene(const Settings&)> make;  ///< builds it for these settings
 };
 using SceneTable = std::vector<NamedScene>;  ///< the first is the default
 
-/// A scene that comes with the project (scene/builtin.hpp), under its own name.
+/// A built-in scene (scene/builtin.hpp), under its own name.
 NamedScene builtin_scene(const std::string& name);
 
-/// The same scenes, each changed by `adjust` once it is built.
+/// The same scenes, each changed by `adjust` after it is built.
 SceneTable adjusted(SceneTable scenes, std::function<void(Scene&, const Settings&)> adjust);
 
-/// Throws Error listing the table's names where `name` is none of them.
+/// Throws Error listing the table's names if `name` is not one of them.
 Scene make_scene(const SceneTable& scenes, const std::string& name, const Settings& settings);
 
 }  // namespace atelier

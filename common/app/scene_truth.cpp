@@ -12,8 +12,7 @@ Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescr
     throw Error("draw.wireframe has no ground truth: edges have no width");
   if (request.output == "depth" && lists(description, "camera.fit_depth") && settings.flag("camera.fit_depth"))
     throw Error(
-        "output 'depth' has no ground truth under camera.fit_depth: the planes that it is measured between are "
-        "the renderer's own choice");
+        "output 'depth' has no ground truth under camera.fit_depth: the renderer chooses the near and far planes");
   truth.scene.camera = truth.camera ? *truth.camera : apply(request.camera, truth.scene.camera);
   oracle::PictureRequest wanted{
       .camera = truth.scene.camera,

@@ -20,7 +20,7 @@ namespace atelier {
 
 namespace {
 
-/// Refuses a camera that nothing depends on, before anything is drawn.
+/// Throws if camera options are given to a program without camera, before anything is drawn.
 void check_has_camera(const StepDescription& description, const CommandLine& line) {
   const bool turning = !line.record.empty() && !line.vary;
   const bool moved = line.picture.camera.eye || line.picture.camera.target || turning;
@@ -29,10 +29,10 @@ void check_has_camera(const StepDescription& description, const CommandLine& lin
                 " has no camera: --eye, --target and a --record without --vary would change nothing");
 }
 
-/// Where only one of eye and target was given, it may be the scene's other.
+/// Throws if eye and target coincide when only one of them was given.
 void check_camera(const CaseCamera& given, const Camera& camera) {
   if ((given.eye || given.target) && camera.eye == camera.target)
-    throw Error(fmt::format("--{} is where the scene's camera {}: the camera needs somewhere to look",
+    throw Error(fmt::format("--{} is where the scene's camera {}: eye and target must be different points",
                             given.eye ? "eye" : "target", given.eye ? "looks" : "stands"));
 }
 
@@ -44,7 +44,7 @@ void take_settings(CommandLine& line, const StepDescription& description) {
   }
 }
 
-/// Pictures from the oracle: no context, no shader.
+/// Pictures from the oracle, without context and shaders.
 int trace(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto program = load_step(identity, implementations);
   if (!line.cases.empty()) {
@@ -59,10 +59,10 @@ int trace(const StepIdentity& identity, const Implementations& implementations, 
   return exit_ok;
 }
 
-/// Everything that needs pictures but no window.
+/// Draws pictures without a window.
 int draw_headless(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto context = line.context ? make_headless_context(*line.context) : make_headless_context();
-  const auto program = load_step(identity, implementations);  // after the context: it ends before it
+  const auto program = load_step(identity, implementations);  // after the context, so that it is destroyed first
   Painter painter(*program, *context, implementations);
   painter.time_frames(line.repeat);
   if (!line.cases.empty()) {
@@ -77,7 +77,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
     line.picture.settings[varied->name] = varied->from;
   }
   const Encoding encoding = encoding_of(program->description(), line.picture.output);
-  const Image image = painter.paint(line.picture);  // loads the scene, whose camera is the one that is changed
+  const Image image = painter.paint(line.picture);  // loads the scene, whose camera is needed below
   const Camera camera = apply(line.picture.camera, program->camera());
   check_camera(line.picture.camera, camera);
   if (line.record.empty())

@@ -1,13 +1,13 @@
-// The shell around every step program: `main` of all of them.
+// The shell of all step programs: their `main`.
 #pragma once
 
 #include "app/load.hpp"
 
 namespace atelier {
 
-/// Reads the command line, loads the step's code and does what was asked. Returns the exit status: what is wrong with
-/// the input becomes one line on stderr and status 2. What a student's code throws outside of a case is no bad input:
-/// the program says what it was and aborts where it was thrown, so that a debugger stands there.
+/// Reads the command line, loads the step's code and runs it. Returns the exit status: bad input gives one line on
+/// stderr and status 2. An exception of a student's code outside of a case is reported, and the program aborts where it
+/// was thrown, so that a debugger stops there.
 int run_step(int count, char** arguments, const StepIdentity& identity);
 
 }  // namespace atelier

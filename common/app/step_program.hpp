@@ -1,5 +1,5 @@
-// What a step program is: its scenes, its settings, its drawing, and the functions that can be probed. Each step's
-// main.cpp describes one; the shell (command line, headless drawing, window) does the rest.
+// The interface of a step program: scenes, settings, drawing, and probes. Each step's main.cpp defines one; the shell
+// (command line, headless drawing, window) does the rest.
 #pragma once
 
 #include <functional>
@@ -32,7 +32,7 @@ struct StepDescription {
   std::string name;                   ///< "01-transforms"
   std::string title;                  ///< "Transforms and vertex buffers"
   bool imports = false;               ///< whether --scene takes model files too
-  bool camera = true;                 ///< whether there is anything that a camera would see otherwise from elsewhere
+  bool camera = true;                 ///< whether pictures depend on a camera
   std::vector<std::string> scenes;    ///< the first is the default
   std::vector<SettingSpec> settings;  ///< with those of app/frame_settings.hpp
   std::vector<OutputSpec> outputs;    ///< "colour" first
@@ -44,17 +44,17 @@ struct Frame {
   const Target& target;
   Camera camera;
   std::string output = "colour";
-  double time = 0;  ///< seconds on a fixed clock
+  double time = 0;  ///< animation time, seconds
 };
 
-/// One picture to trace: what it ought to be, from the oracle.
+/// One picture to trace with the oracle.
 struct TruthRequest {
   std::string scene;                     ///< a built-in scene's name, or a model file
-  CaseCamera camera;                     ///< what is absent is the scene's own
+  CaseCamera camera;                     ///< missing values are the scene's
   glm::ivec2 size{256, 256};             ///< pixels
-  std::string output = "colour";         ///< as for a frame; "thing" beside: which node is seen
-  int samples = 1;                       ///< n x n a pixel, 1..64; 1: the pixel's middle, as OpenGL takes it
-  std::function<void(double)> progress;  ///< told now and then how much is done, 0..1
+  std::string output = "colour";         ///< as for a frame, or "thing": which node is visible
+  int samples = 1;                       ///< n x n per pixel, 1..64; 1: the pixel's centre, as in OpenGL
+  std::function<void(double)> progress;  ///< called occasionally with the fraction done, 0..1
 };
 
 class StepProgram {
@@ -62,7 +62,7 @@ class StepProgram {
   virtual ~StepProgram() = default;
   virtual const StepDescription& description() const = 0;
 
-  /// Called once, when there is a context: shaders are found along `implementations`.
+  /// Called once, when there is a context. Shaders are searched in `implementations`.
   virtual void open(Gl& gl, const Implementations& implementations) = 0;
 
   /// Makes a scene the current one. Throws Error for an unknown name.
@@ -71,20 +71,20 @@ class StepProgram {
   /// The scene's own camera.
   virtual Camera camera() const = 0;
 
-  /// What the target of a frame must have under these settings.
+  /// The depth format that a frame's target needs with these settings.
   virtual DepthFormat depth_format(const Settings&) const { return DepthFormat::depth24; }
 
   virtual void draw(const Frame& frame, const Settings& settings) = 0;
 
-  /// The ground truth for a picture, row 0 on top: what `load` and `draw` would show if they were exact, from given
-  /// code and the oracle alone. Works before `open`, without OpenGL. Settings that only trade accuracy for speed change
-  /// nothing. Throws Error where there is no truth, which is so for every picture unless a step says otherwise.
+  /// The ground truth of a picture, row 0 on top: an exact version of `load` and `draw`, from given code and the oracle
+  /// only. Works before `open`, without OpenGL. Settings that only trade accuracy for speed have no effect. Throws
+  /// Error if there is no truth, which is the default.
   virtual Image truth(const TruthRequest& request, const Settings& settings) const;
 
-  /// What the last frame has cost beyond OpenGL's own counts.
+  /// The renderer's counts for the last frame.
   virtual SceneCounts counts() const { return {}; }
 
-  /// Looks whether shader files have changed and takes the new ones; returns the driver's words where it refuses them.
+  /// Reloads shader files that have changed; returns the driver's log if it rejects them.
   virtual std::string reload_changed_shaders() { return {}; }
 };
 
@@ -94,5 +94,5 @@ inline Image StepProgram::truth(const TruthRequest&, const Settings&) const {
 
 }  // namespace atelier
 
-/// Every step's main.cpp defines it: makes the program, which the caller owns and ends before its context.
+/// Defined by every step's main.cpp: creates the program, which the caller owns and must destroy before its context.
 extern "C" atelier::StepProgram* atelier_step_program();

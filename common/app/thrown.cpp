@@ -31,7 +31,7 @@ std::string demangle(const std::string& symbol) {
 
 std::string thrown_in_words() {
   const std::type_info* type = abi::__cxa_current_exception_type();
-  if (!type) return "the program gave up (std::terminate)";
+  if (!type) return "std::terminate was called";
   const std::string name = demangle(type->name());
   try {
     throw;
@@ -40,7 +40,7 @@ std::string thrown_in_words() {
   } catch (const std::string& text) {
     return "std::string was thrown: " + text;
   } catch (const char* text) {
-    return "a text was thrown: " + std::string(text ? text : "(null)");
+    return "a string was thrown: " + std::string(text ? text : "(null)");
   } catch (int number) {
     return fmt::format("int was thrown: {}", number);
   } catch (...) {

@@ -17,7 +17,7 @@ namespace atelier {
 
 namespace {
 
-constexpr const char* only_of_truth = "thing";  // which node is seen: OpenGL has no such picture
+constexpr const char* only_of_truth = "thing";  // which node is visible: OpenGL has no such output
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

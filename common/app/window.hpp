@@ -1,5 +1,5 @@
-// The window of a step program: orbit camera, settings panel, hot reload. Lives in a module of its own, so that
-// headless drawing starts without GLFW and Dear ImGui.
+// The window of a step program: orbit camera, settings panel, hot reload. Is a module of its own, so that headless
+// drawing starts without GLFW and Dear ImGui.
 #pragma once
 
 #include "app/command_line.hpp"
@@ -8,7 +8,7 @@
 
 namespace atelier {
 
-/// Opens a window and stays until it is closed; returns the exit status. Throws Error where there is no display.
+/// Opens a window and runs until it is closed; returns the exit status. Throws Error if there is no display.
 int run_window(const StepIdentity& identity, const Implementations& implementations, const CommandLine& line);
 
 }  // namespace atelier

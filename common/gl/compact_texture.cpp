@@ -27,10 +27,10 @@ struct Level {
   std::vector<Texel> texels;
 };
 
-/// All levels of the texture that is bound: those that a texture of its size can have, up to its highest.
+/// All levels of the bound texture, up to GL_TEXTURE_MAX_LEVEL.
 std::vector<Level> read_levels(Gl& gl, Encoding encoding) {
   const GLint highest = texture_parameters(gl, GL_TEXTURE_2D, {GL_TEXTURE_MAX_LEVEL})[0];
-  GLint possible = 1;  // beyond them it is an error to ask
+  GLint possible = 1;  // querying a higher level is an error
   std::vector<Level> levels;
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   for (GLint level = 0; level < possible && level <= highest; ++level) {
@@ -52,10 +52,10 @@ std::vector<Level> read_levels(Gl& gl, Encoding encoding) {
 
 void store_in_8_bits(Gl& gl, GLuint texture, Encoding texels) {
   const auto before = GLuint(integer_of(gl, GL_TEXTURE_BINDING_2D));
-  check_gl_error(gl, "something before a texture is stored in 8 bits");
+  check_gl_error(gl, "an earlier call, found before a texture is stored in 8 bits");
   gl.BindTexture(GL_TEXTURE_2D, texture);
-  check_gl_error(gl, "binding a texture to be stored in 8 bits");  // or another one would be
-  // All are read before the first is written: drivers forget the others when level 0 gets another format.
+  check_gl_error(gl, "binding a texture to be stored in 8 bits");  // else another texture would be converted
+  // Read all levels before writing: drivers drop the others when level 0 changes its format.
   const std::vector<Level> levels = read_levels(gl, texels);
   const GLint format = texels == Encoding::linear ? GL_SRGB8_ALPHA8 : GL_RGBA8;
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);

@@ -1,4 +1,4 @@
-// A texture in a quarter of the memory.
+// Converts a float texture to 8 bits per channel: a quarter of the memory.
 #pragma once
 
 #include "gl/gl.hpp"
@@ -6,10 +6,10 @@
 
 namespace atelier {
 
-/// Stores each level of a 2D texture anew in 8 bits a channel, from the floats that it holds: linear light as sRGB
-/// codes (GL_SRGB8_ALPHA8), which samplers decode before they filter; all else as it is (GL_RGBA8). Both end at 0 and
-/// 1; what is no number becomes 0. Filters, wrap modes and the highest level stay, and so does what is bound. A texture
-/// without levels, and the name 0, are left as they are. Throws Error where the texture is none of GL_TEXTURE_2D.
+/// Converts each level of a 2D float texture to 8 bits per channel: linear light to sRGB codes (GL_SRGB8_ALPHA8), which
+/// samplers decode before filtering; everything else unchanged (GL_RGBA8). Values are clamped to 0..1; NaN becomes 0.
+/// Filters, wrap modes, the highest level and the texture binding do not change. Does nothing for a texture without
+/// levels and for name 0. Throws Error if the texture is not a GL_TEXTURE_2D.
 void store_in_8_bits(Gl& gl, GLuint texture, Encoding texels);
 
 }  // namespace atelier

@@ -10,7 +10,7 @@ namespace {
 
 thread_local bool thread_has_context = false;
 
-/// Mesa's EGL would rather take a GPU.
+/// Mesa's EGL prefers a GPU unless LIBGL_ALWAYS_SOFTWARE is set.
 std::unique_ptr<HeadlessContext> make_software_egl_context() {
   ::setenv("LIBGL_ALWAYS_SOFTWARE", "true", 0);
   return make_egl_context();
@@ -19,7 +19,7 @@ std::unique_ptr<HeadlessContext> make_software_egl_context() {
 }  // namespace
 
 CurrentContext::CurrentContext() {
-  if (thread_has_context) throw Error("this thread has an OpenGL context already: end that one before making another");
+  if (thread_has_context) throw Error("this thread already has an OpenGL context: destroy it before creating another");
   thread_has_context = true;
 }
 

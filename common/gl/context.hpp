@@ -1,4 +1,4 @@
-// Where OpenGL comes from: a software renderer in memory, a GPU without a display, or a window.
+// OpenGL contexts: a software renderer in memory, a GPU without a display, or a window.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 namespace atelier {
 
 enum class ContextKind {
-  osmesa,  ///< Mesa's off-screen renderer: the default without a window; gone from Mesa 25.1 on
-  egl,     ///< EGL without a surface: software, or a GPU where there is one
-  window,  ///< GLFW, hidden
+  osmesa,  ///< Mesa's off-screen renderer: the default without a window; removed in Mesa 25.1
+  egl,     ///< EGL without a surface: software, or a GPU if there is one
+  window,  ///< hidden GLFW window
 };
 
-/// A context of OpenGL 3.3 core or newer without a window, current from its making to its end on the making thread.
-/// There is no default framebuffer worth drawing to: draw into targets.
+/// A context of OpenGL 3.3 core or newer without a visible window, current on the thread that creates it for its whole
+/// lifetime. Do not draw to the default framebuffer; draw into targets.
 class HeadlessContext {
  public:
   virtual ~HeadlessContext() = default;
@@ -23,16 +23,16 @@ class HeadlessContext {
   virtual ContextKind kind() const = 0;
 };
 
-/// Throws Error where the library or the driver is missing, saying which package brings it.
+/// Throws Error if the library or the driver is missing, and names the package to install.
 std::unique_ptr<HeadlessContext> make_headless_context(ContextKind kind);
 
-/// OSMesa where it is installed; otherwise EGL, by its software driver where it has one, so that the same pictures come
-/// out with a GPU and without (the variable LIBGL_ALWAYS_SOFTWARE is set unless it is there); otherwise a hidden
-/// window, for systems that have neither. Throws Error with the reason of each where there is none.
+/// OSMesa if it is installed. Otherwise EGL, with its software driver if it has one, so that pictures are the same with
+/// and without a GPU (sets the variable LIBGL_ALWAYS_SOFTWARE unless it is already set). Otherwise a hidden window.
+/// Throws Error with all three reasons if none works.
 std::unique_ptr<HeadlessContext> make_headless_context();
 
-/// Of the hidden window whose context is current: pixels of its screen for a unit of design, 1 on a plain screen and
-/// 2 on a fine one. Throws Error where no window's context is current.
+/// Content scale of the hidden window whose context is current: 1 on a standard screen, 2 on a high-DPI screen. Throws
+/// Error if no window's context is current.
 float window_content_scale();
 
 std::string to_string(ContextKind kind);

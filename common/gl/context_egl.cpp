@@ -1,4 +1,4 @@
-// EGL without a surface: the same drivers that a desktop uses, software or GPU, and no display.
+// EGL without a surface: the desktop's drivers, software or GPU, without a display.
 #define EGL_NO_X11  // keeps Xlib's macros (None, Status ...) out
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -17,7 +17,7 @@
 namespace atelier {
 namespace {
 
-/// The functions of libEGL that are used, found at run time as OSMesa's are.
+/// The libEGL functions that are used, looked up at run time.
 struct Egl {
   decltype(&eglBindAPI) bind_api = nullptr;
   decltype(&eglChooseConfig) choose_config = nullptr;
@@ -57,7 +57,7 @@ Function extension_function(const char* name) {
   return reinterpret_cast<Function>(egl().function_address(name));
 }
 
-/// Whether `name` stands as a word in the extension list of `display` (EGL_NO_DISPLAY: of the library itself).
+/// Whether `name` is in the extension list of `display` (EGL_NO_DISPLAY: of the library itself).
 bool has_extension(EGLDisplay display, std::string_view name) {
   const char* list = egl().query_string(display, EGL_EXTENSIONS);
   if (!list) return false;
@@ -65,7 +65,7 @@ bool has_extension(EGLDisplay display, std::string_view name) {
   return padded.find(" " + std::string(name) + " ") != std::string::npos;
 }
 
-/// EGL_NO_DISPLAY where it cannot be initialised.
+/// EGL_NO_DISPLAY if it cannot be initialised.
 EGLDisplay initialised(EGLDisplay display) {
   return display != EGL_NO_DISPLAY && egl().initialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
 }
@@ -77,7 +77,7 @@ EGLDisplay surfaceless_display() {
   return initialised(get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
 }
 
-/// The first graphics device that starts (EGL_EXT_platform_device): how a GPU maker's own driver is reached.
+/// The first graphics device that initialises (EGL_EXT_platform_device): for the GPU vendor's own driver.
 EGLDisplay device_display() {
   const auto get_display = extension_function<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
   const auto query_devices = extension_function<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
@@ -93,8 +93,8 @@ EGLDisplay device_display() {
   return EGL_NO_DISPLAY;
 }
 
-/// One display for the whole process, opened at the first call and kept: EGL hands out the same one to all, and ending
-/// it would end it for every other context too.
+/// One display for the whole process, opened at the first call and never terminated: EGL returns the same display to
+/// all callers, so terminating it would break every other context.
 EGLDisplay shared_display() {
   static const EGLDisplay display = [] {
     if (EGLDisplay surfaceless = surfaceless_display(); surfaceless != EGL_NO_DISPLAY) return surfaceless;
@@ -134,7 +134,7 @@ class EglContext : public HeadlessContext {
   Gl gl_;
 };
 
-/// No surface will ever be drawn to, so any configuration that knows OpenGL does; none where the driver allows that.
+/// No surface is ever drawn to, so any configuration with OpenGL will do; none if the driver allows it.
 EGLConfig any_config(EGLDisplay display) {
   if (has_extension(display, "EGL_KHR_no_config_context")) return EGL_NO_CONFIG_KHR;
   const EGLint asked[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};

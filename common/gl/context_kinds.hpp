@@ -1,4 +1,4 @@
-// The three makers behind make_headless_context, each in a file of its own.
+// The three functions behind make_headless_context, each in its own file.
 #pragma once
 
 #include <memory>
@@ -11,11 +11,11 @@ std::unique_ptr<HeadlessContext> make_osmesa_context();
 std::unique_ptr<HeadlessContext> make_egl_context();
 std::unique_ptr<HeadlessContext> make_window_context();
 
-/// A thread has one current context, and two that are made on it disturb each other (Mesa's libraries share the notion
-/// of 'current'). Each context holds one of these from before its making to after its end.
+/// Guards that a thread has at most one context: Mesa's libraries share the current context, so two contexts on one
+/// thread disturb each other. Each context holds one of these for longer than its own lifetime.
 class CurrentContext {
  public:
-  CurrentContext();  ///< throws Error where this thread has a context
+  CurrentContext();  ///< throws Error if this thread has a context
   ~CurrentContext();
   CurrentContext(const CurrentContext&) = delete;
   CurrentContext& operator=(const CurrentContext&) = delete;

@@ -1,7 +1,8 @@
-// Mesa's off-screen renderer: OpenGL on the processor, in a library that needs no display, device or server.
+// Mesa's off-screen renderer: OpenGL on the CPU, without display, device or server.
 //
-// Four functions of it are used, declared here and not by <GL/osmesa.h>: that header drags in the old <GL/gl.h>, and
-// newer systems have neither the header nor the library. Source: Mesa's documentation of the OSMesa interface, 11.2.
+// The four functions that are used are declared here instead of including <GL/osmesa.h>: that header includes the old
+// <GL/gl.h>, and newer systems have neither the header nor the library. Source: Mesa's documentation of the OSMesa
+// interface, 11.2.
 #include <dlfcn.h>
 
 #include <array>
@@ -33,7 +34,7 @@ void* open_library() {
   throw Error("OSMesa, OpenGL in memory, is not installed: install the package libosmesa6, or use --context egl");
 }
 
-/// The library, opened at the first call: a program that draws elsewhere never loads it.
+/// The library, loaded at the first call, so that a program with another context never loads it.
 const OsMesa& osmesa() {
   static const OsMesa functions = [] {
     const DriverLibrary library = {open_library(), "OSMesa", "Mesa 12"};
@@ -82,7 +83,7 @@ class OsMesaContext : public HeadlessContext {
 
   static constexpr int side = 4;  ///< pixels
   CurrentContext current_;
-  std::array<unsigned char, 4 * side * side> surface_{};  ///< the default framebuffer, which there must be
+  std::array<unsigned char, 4 * side * side> surface_{};  ///< the default framebuffer, which OSMesa requires
   Handle context_;
   Gl gl_;
 };

@@ -1,4 +1,4 @@
-// A hidden window's context. GLFW stands in a module of its own, so that headless programs neither load nor need it.
+// A hidden window's context. GLFW is in its own module, so that headless programs neither load nor need it.
 #include "base/module.hpp"
 #include "gl/context_kinds.hpp"
 

@@ -1,4 +1,4 @@
-// Six targets that are the sides of one cube map: what is seen all round a point.
+// Six targets that are the faces of one cube map: what is visible in all directions from a point.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ struct CubeTargetSpec {
 
 class CubeTarget {
  public:
-  /// Linear filtering, clamped. Throws Error where the driver cannot have it, as Target does.
+  /// Linear filtering, clamped. Throws Error as Target does if the driver does not support it.
   CubeTarget(Gl& gl, const CubeTargetSpec& spec);
   const CubeTargetSpec& spec() const { return spec_; }
   GLuint texture() const { return texture_.id(); }  ///< a GL_TEXTURE_CUBE_MAP
 
-  /// What is drawn into one side, 0..5: +x, -x, +y, -y, +z, -z. Its rows run as OpenGL's cube maps have them: the first
-  /// row of the picture (the lowest) is the side's first.
+  /// The target of one face, 0..5: +x, -x, +y, -y, +z, -z. Rows are in the order of OpenGL's cube maps: the picture's
+  /// lowest row is the face's first.
   const Target& face(int side) const { return faces_.at(std::size_t(side)); }
 
  private:

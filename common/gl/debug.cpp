@@ -8,7 +8,7 @@
 namespace atelier {
 namespace {
 
-/// The front of `name` that is shorter than `limit` bytes and ends with a whole character of UTF-8.
+/// The longest prefix of `name` that is shorter than `limit` bytes and ends with a complete UTF-8 character.
 std::string_view shorter_than(GLint limit, std::string_view name) {
   std::size_t size = std::size_t(std::max(limit, 1)) - 1;
   if (name.size() <= size) return name;

@@ -1,4 +1,4 @@
-// A driver's library that is opened while the program runs, so that a machine without it can still draw with another.
+// A driver's library that is loaded at run time, so that a machine without it can use another.
 #pragma once
 
 #include <dlfcn.h>
@@ -9,11 +9,11 @@
 namespace atelier {
 
 struct DriverLibrary {
-  void* handle;       ///< from dlopen; never closed: a driver may not be unloaded under its own threads
-  const char* name;   ///< in words: "EGL"
-  const char* needs;  ///< the oldest that has all of its functions: "EGL 1.4"
+  void* handle;       ///< from dlopen; never closed: a driver with running threads must not be unloaded
+  const char* name;   ///< for messages: "EGL"
+  const char* needs;  ///< the oldest version with all functions: "EGL 1.4"
 
-  /// Sets `function` to the library's `symbol`. Throws Error naming what is lacking and what is needed.
+  /// Sets `function` to the library's `symbol`. Throws Error naming the missing symbol and the version that is needed.
   template <class Function>
   void find(Function& function, const char* symbol) const {
     function = reinterpret_cast<Function>(dlsym(handle, symbol));

@@ -58,7 +58,7 @@ Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
     throw Error(fmt::format("this OpenGL context is {}.{} ({}), and 3.3 core is needed", major, minor,
                             text_of(GetString(GL_RENDERER))));
 
-  // Asked for by version or extension first: some resolvers answer every name, known or not.
+  // Check version or extension first: some resolvers return an address for any name.
   if (version_ >= 45 || has_extension("GL_ARB_clip_control"))
     resolve_into(ClipControl, resolve, "glClipControl", *meter_);
   if (version_ >= 43 || has_extension("GL_KHR_debug")) {
@@ -107,7 +107,7 @@ std::string Gl::description() const {
 
 void check_gl_error(const Gl& gl, const char* doing) {
   std::string names;
-  // There is one flag per kind of error; a lost context may answer for ever.
+  // There is one flag per kind of error; a lost context may report errors forever.
   for (int flags = 0; flags < 8; ++flags) {
     const GLenum error = gl.GetError();
     if (error == GL_NO_ERROR) break;
@@ -136,7 +136,7 @@ std::int64_t texel_bytes(GLenum internal_format) {
     case GL_RGBA32F:
       return 16;
     default:
-      return 4;  // RGB8, RGBA8, their sRGB kin, R32F, R11F_G11F_B10F, 24 and 32 bits of depth, 24 + 8
+      return 4;  // RGB8, RGBA8, their sRGB forms, R32F, R11F_G11F_B10F, 24 and 32 bits of depth, 24 + 8
   }
 }
 

@@ -1,8 +1,8 @@
-// OpenGL's functions, as one object that is passed to whoever draws.
+// OpenGL's functions as one object, which is passed to all code that draws.
 //
-// `gl.BindBuffer(GL_ARRAY_BUFFER, id)` is what books write as `glBindBuffer(GL_ARRAY_BUFFER, id)`: same name without
-// the prefix, same arguments. There is no global state to load or to forget, no loader library (none works with
-// OSMesa), and the list below is exactly what this project uses.
+// `gl.BindBuffer(GL_ARRAY_BUFFER, id)` is `glBindBuffer(GL_ARRAY_BUFFER, id)` in books: the same name without the
+// prefix, the same arguments. There are no global function pointers and there is no loader library (none works with
+// OSMesa). The list below is exactly what this project uses.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -137,43 +137,43 @@ class GlMeter;
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                 \
   X(PFNGLVIEWPORTPROC, Viewport)
 
-/// Those of GL 4.3 or KHR_debug, which give names to what is drawn and to objects (gl/debug.hpp).
+/// Functions of GL 4.3 or KHR_debug, which name objects and parts of a frame (gl/debug.hpp).
 #define ATELIER_GL_DEBUG_FUNCTIONS(X)        \
   X(PFNGLGETOBJECTLABELPROC, GetObjectLabel) \
   X(PFNGLOBJECTLABELPROC, ObjectLabel)       \
   X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)   \
   X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)
 
-/// What the driver allows of KHR_debug; all 0 where it has none. A name must be shorter than its limit in bytes.
+/// The driver's limits for KHR_debug; all 0 without it. A name must have fewer bytes than its limit.
 struct GlDebugLimits {
   GLint label = 0, message = 0;  ///< names of objects, and of groups
-  GLint group_depth = 0;         ///< groups open at a time, the unnamed one around all of them included
+  GLint group_depth = 0;         ///< most groups open at a time, including the unnamed default group
 };
 
-/// The loaded functions of the current context. Made by a context; valid while that lives and is current.
+/// The loaded functions of the current context. Created by a context; valid while that exists and is current.
 class Gl {
  public:
   using Resolver = void* (*)(const char* name);  ///< "glClear" to its address, or null
 
-  /// Throws Error naming the first function that the context lacks, or its version where that is below 3.3.
+  /// Throws Error naming the first function that the context lacks, or its version if that is below 3.3.
   explicit Gl(Resolver resolve);
   ~Gl();
   Gl(const Gl&) = delete;
   Gl& operator=(const Gl&) = delete;
 
-  /// What was asked of OpenGL since restart_counts() or, where that was never called, since this object was made.
+  /// Counts since restart_counts() or, if it was never called, since construction.
   GlCounts counts() const;
-  /// The groups since then in the order of their beginnings, at most the first 256; one that is still open has what was
-  /// made in it so far.
+  /// The groups since then in the order in which they began, at most the first 256; an open group has its counts so
+  /// far.
   std::vector<GlGroup> groups() const;
   void restart_counts();
 
-  /// What is made between the two counts for the group `name` too, and for those around it. The first returns how many
-  /// are open now. Called by DebugGroup (gl/debug.hpp), which never forgets the second.
+  /// Work between the two calls also counts for the group `name` and for those around it. begin_group returns how many
+  /// groups are open now. Called by DebugGroup (gl/debug.hpp), which pairs the calls.
   int begin_group(std::string_view name);
   void end_group();
 
-  /// One function: calls through, and tells the meter first where the counts depend on it.
+  /// One function: calls it, after it has reported the call to the meter if the counts depend on it.
   template <class Signature>
   class Function;
   template <class Result, class... Parameters>
@@ -191,10 +191,10 @@ class Gl {
 #define ATELIER_GL_MEMBER(type, name) Function<type> name;
   ATELIER_GL_FUNCTIONS(ATELIER_GL_MEMBER)
 
-  /// glClipControl, where the context has GL 4.5 or ARB_clip_control; otherwise its `call` is null.
+  /// glClipControl if the context has GL 4.5 or ARB_clip_control; otherwise its `call` is null.
   Function<PFNGLCLIPCONTROLPROC> ClipControl;
 
-  // Where the context has GL 4.3 or KHR_debug; otherwise their `call` is null.
+  // Available if the context has GL 4.3 or KHR_debug; otherwise their `call` is null.
   ATELIER_GL_DEBUG_FUNCTIONS(ATELIER_GL_MEMBER)
 #undef ATELIER_GL_MEMBER
 
@@ -213,7 +213,7 @@ class Gl {
   int version_ = 0;
 };
 
-/// Throws Error with `doing` and the names of the errors where OpenGL's error flags are set; clears them.
+/// If OpenGL's error flags are set, clears them and throws Error with `doing` and their names.
 void check_gl_error(const Gl& gl, const char* doing);
 
 }  // namespace atelier

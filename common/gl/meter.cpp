@@ -25,7 +25,7 @@ std::int64_t bytes_of_level(const GlMeter::Level& level) {
   return level.width * level.height * level.depth * texel_bytes(level.format);
 }
 
-/// The kind of texture that a sampler reads; GL_NONE for types of uniforms that are no samplers.
+/// The texture target that a sampler reads; GL_NONE for uniforms of other types.
 GLenum sampled_target(GLenum type) {
   switch (type) {
     case GL_SAMPLER_2D:
@@ -50,13 +50,13 @@ GLenum sampled_target(GLenum type) {
   }
 }
 
-/// What glTexImage2D writes to, as glBindTexture names it: the six sides belong to one texture.
+/// The binding target for a target of glTexImage2D: the six faces belong to one texture.
 GLenum binding_of(GLenum target) {
   const bool side = target >= GL_TEXTURE_CUBE_MAP_POSITIVE_X && target <= GL_TEXTURE_CUBE_MAP_NEGATIVE_Z;
   return side ? GLenum(GL_TEXTURE_CUBE_MAP) : target;
 }
 
-/// A group's counts are the sums at its end less those at its beginning.
+/// A group's counts are the sums at its end minus those at its beginning.
 void add(GlGroup& group, const GlCounts& sums, int sign) {
   group.passes += sign * sums.passes;
   group.draws += sign * sums.draws;
@@ -76,7 +76,7 @@ void GlMeter::restart() {
   attributes_read_.clear();
   targets_.clear();
 
-  // Groups that are still open are listed anew, from nothing.
+  // Groups that are still open are listed again, with counts from 0.
   std::vector<GlGroup> still_open;
   for (auto& listed : open_groups_) {
     if (!listed) continue;
@@ -220,7 +220,7 @@ GlMeter::Program GlMeter::read_program(GLuint program) const {
   gl_.GetProgramiv(program, GL_ACTIVE_ATTRIBUTES, &count);
   for (GLint i = 0; i < count; ++i) {
     gl_.GetActiveAttrib(program, GLuint(i), GLsizei(name.size()), nullptr, &size, &type, name.data());
-    // gl_VertexID and its kin are listed too, without a location: nothing feeds them.
+    // Built-in inputs like gl_VertexID are listed too, without a location: no buffer feeds them.
     if (const GLint location = gl_.GetAttribLocation(program, name.data()); location >= 0)
       facts.attributes.insert(location);
   }
@@ -267,7 +267,7 @@ void GlMeter::generate_mipmap(GLenum target) {
   const std::map<Face, Level> before = *levels;
   for (const auto& [face, base] : before) {
     if (face.second != 0) continue;
-    // The layers of an array stay as many on every level.
+    // An array has the same number of layers on every level.
     const bool layers = target == GL_TEXTURE_2D_ARRAY;
     Level size = base;
     for (GLint level = 1; size.width > 1 || size.height > 1 || (!layers && size.depth > 1); ++level) {
@@ -312,7 +312,7 @@ std::int64_t GlMeter::bytes_of(const Attachment& what) const {
   return bytes;
 }
 
-// ---- What is told
+// ---- Which calls are counted
 
 void count_calls(Gl& gl) {
   using M = GlMeter;

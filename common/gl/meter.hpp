@@ -1,5 +1,5 @@
-// Counts what passes through Gl. To know what a draw costs it follows the little of OpenGL's state that this takes:
-// which textures are bound, which programs read them, how large the attachments of a framebuffer are.
+// Counts the calls through Gl. For this it tracks a part of OpenGL's state: which textures are bound, which programs
+// read them, how large the attachments of a framebuffer are.
 #pragma once
 
 #include <map>
@@ -14,8 +14,8 @@
 
 namespace atelier {
 
-/// Made with its Gl. Its functions are called just before the OpenGL function of the same name. All bytes are by the
-/// formats' nominal sizes (gl/texel.hpp).
+/// Each function is called just before the OpenGL function of the same name. Bytes are nominal sizes of the formats
+/// (gl/texel.hpp).
 class GlMeter {
  public:
   explicit GlMeter(const Gl& gl) : gl_(gl) {}
@@ -25,7 +25,7 @@ class GlMeter {
 
   // Groups
   int begin_group(std::string_view name);  ///< returns how many are open now
-  void end_group();                        ///< the one that was begun last; does nothing where none is open
+  void end_group();                        ///< the one that began last; does nothing if none is open
   std::vector<GlGroup> groups() const;
 
   // Draws and passes
@@ -41,7 +41,7 @@ class GlMeter {
   void link_program(GLuint program);
   void use_program(GLuint program);
   void delete_program(GLuint program);
-  void set_int(GLint location, GLint value);  ///< glUniform1i: how a sampler learns its unit
+  void set_int(GLint location, GLint value);  ///< glUniform1i, which sets a sampler's unit
 
   // Storage
   struct Level {
@@ -72,7 +72,7 @@ class GlMeter {
     GLuint name = 0;
     auto operator<=>(const Attachment&) const = default;
   };
-  using Face = std::pair<GLenum, GLint>;  ///< target (or side of a cube) and level
+  using Face = std::pair<GLenum, GLint>;  ///< target (or face of a cube) and level
 
   Program read_program(GLuint program) const;
   void begin_pass();
@@ -85,7 +85,7 @@ class GlMeter {
 
   const Gl& gl_;
 
-  // Followed for as long as the context lives
+  // Tracked for the lifetime of the context
   std::map<GLuint, Program> programs_;
   std::map<GLuint, std::map<Face, Level>> textures_;
   std::map<GLuint, std::int64_t> renderbuffers_;                 ///< bytes
@@ -101,13 +101,13 @@ class GlMeter {
   std::set<GLint> attributes_read_;
   std::map<Attachment, std::int64_t> targets_;  ///< bytes of what was drawn into
 
-  // Groups: more than are listed are followed, so that ends meet their beginnings
+  // Groups beyond the listed ones are tracked too, so that ends match their beginnings
   static constexpr std::size_t most_groups = 256;
   std::vector<GlGroup> groups_;                          ///< of an open one: the sums before it, negated
-  std::vector<std::optional<std::size_t>> open_groups_;  ///< into groups_; empty where it is not listed
+  std::vector<std::optional<std::size_t>> open_groups_;  ///< indices into groups_; empty if not listed
 };
 
-/// Has every function of `gl` that costs something told to `meter`.
+/// Makes every counted function of `gl` report its calls to `meter`.
 void count_calls(Gl& gl);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// OpenGL's objects, each owned by one C++ object: made whole or not at all, moved, never copied, deleted at its end.
+// RAII owners of OpenGL objects: movable, not copyable.
 #pragma once
 
 #include <utility>
@@ -7,13 +7,13 @@
 
 namespace atelier {
 
-/// What all of them are: a name (a number) and the context that it belongs to. `Kind` says how it is made and deleted.
+/// The object's name (a number) and its context. `Kind` says how it is created and deleted.
 template <class Kind>
 class GlObject {
  public:
   GlObject() = default;  ///< holds nothing
   explicit GlObject(Gl& gl) : gl_(&gl), id_(Kind::make(gl)) {}
-  GlObject(Gl& gl, GLuint adopted) : gl_(&gl), id_(adopted) {}  ///< takes over an object that was made elsewhere
+  GlObject(Gl& gl, GLuint adopted) : gl_(&gl), id_(adopted) {}  ///< takes ownership of an existing object
   GlObject(GlObject&& other) noexcept : gl_(other.gl_), id_(std::exchange(other.id_, 0)) {}
   GlObject& operator=(GlObject&& other) noexcept {
     std::swap(gl_, other.gl_);
@@ -54,7 +54,7 @@ struct GlProgramKind {
 };
 using GlProgram = GlObject<GlProgramKind>;
 
-/// A shader is made for one stage, so it is always adopted: GlShader(gl, gl.CreateShader(GL_VERTEX_SHADER)).
+/// Creating a shader needs its stage, so it is always adopted: GlShader(gl, gl.CreateShader(GL_VERTEX_SHADER)).
 struct GlShaderKind {
   static void remove(Gl& gl, GLuint id) { gl.DeleteShader(id); }
 };

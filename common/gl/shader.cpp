@@ -7,8 +7,7 @@
 namespace atelier {
 namespace {
 
-/// The driver's words about a shader or a program: `get_iv` and `get_log` are the pair of functions for the one or
-/// other.
+/// The driver's log for a shader or a program; `get_iv` and `get_log` are the matching functions.
 template <class GetIv, class GetLog>
 std::string info_log(GLuint object, const GetIv& get_iv, const GetLog& get_log) {
   GLint length = 0;
@@ -31,7 +30,7 @@ GlShader compile(Gl& gl, GLenum stage, const ShaderSource& source) {
   if (compiled) return shader;
 
   const std::string log = translate_shader_log(info_log(shader.id(), gl.GetShaderiv, gl.GetShaderInfoLog), source);
-  throw ShaderError(log.empty() ? source.names.front() + ": error: the driver refuses this shader and gives no reason"
+  throw ShaderError(log.empty() ? source.names.front() + ": error: the driver rejects this shader without a reason"
                                 : log);
 }
 
@@ -52,9 +51,9 @@ GlProgram build_program(Gl& gl, const ShaderSource& vertex, const ShaderSource& 
   gl.GetProgramiv(program.id(), GL_LINK_STATUS, &linked);
   if (linked) return program;
 
-  // A linker's message is about the stages together: it has no line, and names the variable.
+  // A linker message concerns both stages: it names a variable, but no line.
   const std::string log = translate_shader_log(info_log(program.id(), gl.GetProgramiv, gl.GetProgramInfoLog), fragment);
-  throw ShaderError(fmt::format("{} and {} do not fit together:\n{}", vertex.names.front(), fragment.names.front(),
+  throw ShaderError(fmt::format("{} and {} do not link:\n{}", vertex.names.front(), fragment.names.front(),
                                 log.empty() ? "the driver gives no reason" : log));
 }
 

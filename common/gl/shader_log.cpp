@@ -1,4 +1,4 @@
-// From a driver's words to the author's file and line.
+// From a driver's log to source file and line.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 namespace atelier {
 namespace {
 
-/// One driver's way to say where: a scanf format that passes over the source string's number, reads the line, and tells
-/// by %n where the message begins. `severity` is put before the message where the format has swallowed it.
+/// One driver's format of a location: a scanf format that skips the source string's number, reads the line, and stores
+/// with %n where the message begins. `severity` is put before the message if the format consumes it.
 struct LogForm {
   const char* format;
   const char* severity;
@@ -20,12 +20,12 @@ struct LogForm {
 constexpr std::array<LogForm, 4> log_forms = {{
     {"%*u:%u(%*u): %n", ""},           // Mesa:           0:12(5): error: `x' undeclared
     {"%*u(%u) : %n", ""},              // NVIDIA:         0(12) : error C1503: undefined variable "x"
-    {"ERROR: %*u:%u: %n", "error: "},  // Apple and kin:  ERROR: 0:12: 'x' : undeclared identifier
+    {"ERROR: %*u:%u: %n", "error: "},  // Apple, Intel, AMD, ANGLE:  ERROR: 0:12: 'x' : undeclared identifier
     {"WARNING: %*u:%u: %n", "warning: "},
 }};
 
-/// "file:line" of a line of the assembled text; beyond its end, where drivers miss what should have followed, of the
-/// last.
+/// "file:line" for a line of the assembled text. Beyond its end, where drivers report missing tokens, that of the last
+/// line.
 std::string author_place(unsigned number, const ShaderSource& source) {
   if (source.lines.empty()) return fmt::format("line {}", number);
   const std::size_t index = std::clamp<std::size_t>(number, 1, source.lines.size()) - 1;
@@ -36,7 +36,7 @@ std::string author_place(unsigned number, const ShaderSource& source) {
 std::string translate_line(const std::string& line, const ShaderSource& source) {
   for (const LogForm& form : log_forms) {
     unsigned number = 0;
-    int message = 0;  // stays 0 where the line does not match to the end of the format
+    int message = 0;  // stays 0 if the line does not match the whole format
     std::sscanf(line.c_str(), form.format, &number, &message);
     if (message > 0)
       return fmt::format("{}: {}{}", author_place(number, source), form.severity, line.substr(std::size_t(message)));

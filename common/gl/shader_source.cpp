@@ -1,4 +1,4 @@
-// One GLSL text out of many files (GLSL itself has no #include), and for each of its lines the file that it is from.
+// Assembles one GLSL text from many files (GLSL has no #include) and records the file of each line.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace {
 constexpr int deepest_include = 32;
 constexpr std::size_t largest_file = 1 << 20;  // bytes; a shader file of a megabyte is a mistake
 
-/// A file's text as lines that end in '\n', all of them. Throws Error where it holds what no text holds.
+/// A file's text with every line ending in '\n'. Throws Error for a null byte.
 std::string normalised(std::string text, const std::string& name) {
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);  // UTF-8's byte order mark
   if (const auto at = text.find('\0'); at != std::string::npos)
-    throw Error(fmt::format("{}:{}: holds a null byte: this is no GLSL text", name,
+    throw Error(fmt::format("{}:{}: contains a null byte: this is not GLSL text", name,
                             1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')));
   for (std::size_t at = 0; (at = text.find('\r', at)) != std::string::npos; ++at)
     at + 1 < text.size() && text[at + 1] == '\n' ? text.erase(at, 1) : text.replace(at, 1, "\n");
@@ -27,10 +27,10 @@ std::string normalised(std::string text, const std::string& name) {
   return text;
 }
 
-/// Follows where comments begin and end, from line to line.
+/// Tracks from line to line where comments begin and end.
 class CommentTracker {
  public:
-  /// `line` with its comments turned into spaces; positions stay the same.
+  /// `line` with its comments replaced by spaces; positions do not change.
   std::string without_comments(std::string_view line);
   bool inside() const { return inside_; }
 
@@ -40,7 +40,7 @@ class CommentTracker {
 
 std::string CommentTracker::without_comments(std::string_view line) {
   std::string code(line);
-  bool quoted = false;  // the name of an #include: the one place where GLSL has quotes
+  bool quoted = false;  // in the name of an #include, the only quotes in GLSL
   for (std::size_t i = 0; i < code.size(); ++i) {
     const std::string_view pair = line.substr(i, 2);
     if (inside_) {
@@ -60,7 +60,7 @@ std::string CommentTracker::without_comments(std::string_view line) {
   return code;
 }
 
-/// A line that begins with '#': its word, and where in the line what follows the word begins.
+/// A line that begins with '#': the directive's name, and where the rest of the line begins.
 struct Directive {
   std::string word;
   std::size_t begin = 0, rest = 0;
@@ -90,7 +90,7 @@ class Assembler {
  public:
   explicit Assembler(const FindFile& find) : find_(find) {}
 
-  /// Adds the file that `name` stands for; `where` ("file:line: ") asks for it, or nobody.
+  /// Adds the file for `name`; `where` ("file:line: ", or empty) is the line that includes it.
   void add_file(const std::string& name, const std::string& where, int depth);
   void add_text(const std::filesystem::path& file, const std::string& name, const std::string& text, int depth);
   ShaderSource finish(const Defines& defines) &&;
@@ -140,7 +140,7 @@ void Assembler::add_text(const std::filesystem::path& file, const std::string& n
     if (!inside && comments.inside()) comment_begin = from;
     begin = end + 1;
   }
-  // It would swallow whatever follows the file.
+  // It would comment out whatever follows the file.
   if (comments.inside()) throw Error(place(comment_begin) + "this /* comment has no end");
 }
 
@@ -165,7 +165,7 @@ void Assembler::add_include(ShaderSource::Line from, std::string_view text, cons
       !is_blank(code.substr(directive.rest, open - directive.rest)) || !is_blank(code.substr(close + 1)))
     throw Error(place(from) + "this must read #include \"file\"");
 
-  // What stands around the directive can only be comments, which may begin or end on other lines: they are kept.
+  // Around the directive there can only be comments, which may begin or end on other lines: keep them.
   const std::string_view before = text.substr(0, directive.begin), behind = text.substr(close + 1);
   if (!is_blank(before)) emit(from, before);
   add_file(code.substr(open + 1, close - open - 1), place(from), depth + 1);

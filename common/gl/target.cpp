@@ -14,7 +14,7 @@
 namespace atelier {
 namespace {
 
-/// What OpenGL wants to hear about a format.
+/// A format's OpenGL constants.
 struct FormatFacts {
   const char* name;
   GLenum internal, format, type, attachment;
@@ -45,7 +45,7 @@ const FormatFacts& facts(DepthFormat format) {
   return depth_facts[std::size_t(format)];
 }
 
-/// Remembers what is bound, and binds it again at the end of the scope.
+/// Saves the bindings, and restores them at the end of the scope.
 class KeptBindings {
  public:
   explicit KeptBindings(Gl& gl)
@@ -75,7 +75,7 @@ void switch_on(Gl& gl, GLenum capability, bool on) {
     gl.Disable(capability);
 }
 
-/// Switches one of glEnable's capabilities, and back at the end of the scope.
+/// Sets one of glEnable's capabilities, and restores it at the end of the scope.
 class Switched {
  public:
   Switched(Gl& gl, GLenum capability, bool on) : gl_(gl), capability_(capability), was_(gl.IsEnabled(capability)) {
@@ -91,7 +91,7 @@ class Switched {
   bool was_;
 };
 
-/// Throws where the driver cannot have such a target at all: asked first, since what drivers do beyond differs.
+/// Throws if such a target is outside the driver's limits. Checked first, because drivers differ in how they fail.
 void check(Gl& gl, const TargetSpec& spec) {
   const int most = most_samples(gl);
   if (spec.samples < 1 || spec.samples > most)
@@ -137,7 +137,7 @@ const char* incompleteness(GLenum status) {
   }
 }
 
-/// A framebuffer with what `attach` attaches to it, once it is bound. Throws where the driver refuses it.
+/// A framebuffer to which `attach`, called while it is bound, attaches images. Throws if the driver rejects it.
 template <class Attach>
 GlFramebuffer make_framebuffer(Gl& gl, const TargetSpec& spec, Attach attach) {
   GlFramebuffer framebuffer(gl);
@@ -154,14 +154,14 @@ GlFramebuffer make_framebuffer(Gl& gl, const TargetSpec& spec, Attach attach) {
   return framebuffer;
 }
 
-/// Reads all pixels of the bound framebuffer, bottom row first, as OpenGL has them. Rows of floats are multiples of
-/// four bytes: with that alignment no width has padding.
+/// Reads all pixels of the bound framebuffer, bottom row first, as in OpenGL. Rows of floats are multiples of four
+/// bytes, so with an alignment of 4 there is no padding.
 void read_pixels(Gl& gl, const TargetSpec& spec, GLenum format, void* destination) {
   gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl.ReadPixels(0, 0, spec.width, spec.height, format, GL_FLOAT, destination);
 }
 
-/// From sRGB codes, as glReadPixels hands them over (a 255th a step), to the light that they stand for.
+/// From sRGB codes, as glReadPixels returns them (in steps of 1/255), to linear light.
 void decode(Image& image) {
   const auto linear = [](float code) { return linear_of_code(std::uint8_t(code * 255 + 0.5f)); };
   for (Rgba& p : image.pixels()) p = {linear(p.r), linear(p.g), linear(p.b), p.a};
@@ -204,7 +204,7 @@ Target::Target(Gl& gl, const TargetSpec& spec, const CubeFace& face) : Target(gl
 
 Target::Target(Gl& gl, const TargetSpec& spec, const CubeFace* face) : spec_(spec) {
   check(gl, spec);
-  check_gl_error(gl, "something before a target is made");
+  check_gl_error(gl, "an earlier call, found before a target is created");
   const KeptBindings kept(gl);
   const auto attach_texture = [&](const FormatFacts& format, GlTexture& texture) {
     texture = make_texture(gl, format, spec);
@@ -239,9 +239,9 @@ void Target::bind(Gl& gl) const {
 void Target::resolve(Gl& gl) const {
   if (spec_.samples == 1) return;
   const KeptBindings kept(gl);
-  const Switched whole(gl, GL_SCISSOR_TEST, false);  // a blit heeds it
-  // Where this is on, codes are decoded before their mean is taken, and the mean is encoded (OpenGL 4.4; by the letter
-  // of earlier versions it would be a mean of codes, and drivers do as the newer ones say).
+  const Switched whole(gl, GL_SCISSOR_TEST, false);  // the scissor test affects a blit
+  // If enabled, sRGB codes are decoded before they are averaged, and the mean is encoded (OpenGL 4.4; earlier versions
+  // specify a mean of codes, but drivers follow 4.4).
   const Switched linear(gl, GL_FRAMEBUFFER_SRGB, spec_.colour == ColourFormat::srgb8);
   gl.BindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_.id());
   gl.BindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved_.id());
@@ -262,7 +262,7 @@ Image Target::read_colour(Gl& gl) const {
   Image image(spec_.width, spec_.height);
   read_pixels(gl, spec_, GL_RGBA, image.pixels().data());
   check_gl_error(gl, "reading a target's colour");
-  // Turn it over in place: OpenGL's first row is the lowest.
+  // Flip it in place: OpenGL's first row is the lowest.
   for (int top = 0, bottom = spec_.height - 1; top < bottom; ++top, --bottom)
     std::swap_ranges(&image.at(0, top), &image.at(0, top) + spec_.width, &image.at(0, bottom));
   if (spec_.colour == ColourFormat::srgb8) decode(image);

@@ -1,4 +1,4 @@
-// A set of textures to draw into, and the way back to an Image.
+// Render targets, and how to read them back into an Image.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace atelier {
 
-/// srgb8 holds sRGB codes: what a shader writes is linear light and is encoded by the hardware, what a sampler reads is
-/// decoded by it. The three others hold what was written: rgba8 clamped to 0..1.
+/// srgb8 stores sRGB codes: the hardware encodes the linear light that a shader writes, and decodes what a sampler
+/// reads. The other three store values as written, rgba8 clamped to 0..1.
 enum class ColourFormat { none, rgba8, srgb8, rgba16f, rgba32f };
 enum class DepthFormat { none, depth16, depth24, depth32f, depth24_stencil8, depth32f_stencil8 };
 
@@ -18,62 +18,62 @@ struct TargetSpec {
   int width = 1, height = 1;  ///< pixels, 1..16384
   ColourFormat colour = ColourFormat::rgba32f;
   DepthFormat depth = DepthFormat::depth24;
-  int samples = 1;  ///< a pixel; 1..GL_MAX_SAMPLES, which is 4 or more; above 1: multisampling
+  int samples = 1;  ///< per pixel; 1..GL_MAX_SAMPLES, which is 4 or more; above 1: multisampling
   bool operator==(const TargetSpec&) const = default;
 };
 
-GLenum internal_format(ColourFormat format);  ///< as OpenGL calls it: GL_RGBA32F ...
+GLenum internal_format(ColourFormat format);  ///< OpenGL's name of it: GL_RGBA32F ...
 
 bool has_stencil(const TargetSpec& spec);
 
-std::string to_string(const TargetSpec& spec);  ///< "640x480, colour rgba32f, depth depth24", ", 4 samples" if so
+/// "640x480, colour rgba32f, depth depth24"; if multisampled, also ", 4 samples".
+std::string to_string(const TargetSpec& spec);
 
-/// Of all attachments together, by the formats' nominal sizes; with several samples these are the samples and the
-/// textures that they are resolved into.
+/// Nominal size of all attachments together; with multisampling, of the samples and of the textures that they are
+/// resolved into.
 std::size_t bytes(const TargetSpec& spec);
 
-/// The longest side in pixels that a target with so many samples may have on this driver.
+/// The longest side in pixels of a target with this many samples on this driver.
 int longest_side(const Gl& gl, int samples = 1);
 
-/// The most samples a pixel that a target may have on this driver: at least 4, unless it breaks OpenGL 3.3's promise.
+/// The most samples per pixel of a target on this driver; OpenGL 3.3 guarantees at least 4.
 int most_samples(const Gl& gl);
 
-/// A framebuffer with a colour texture (nearest filtering, clamped) and a depth texture as `spec` asks. With several
-/// samples, what is drawn goes into renderbuffers of that many, and the textures hold it after `resolve`. Whole when
-/// made; throws Error naming the size, the formats and the samples where they are out of range or the driver refuses.
-/// Making, resolving, reading and ending one leave the bindings of textures, renderbuffers and framebuffers as they
-/// were.
+/// A framebuffer with a colour texture (nearest filtering, clamped) and a depth texture as given by `spec`. With
+/// several samples, drawing goes into multisampled renderbuffers, and the textures hold the result after `resolve`. The
+/// constructor throws Error naming the size, the formats and the samples if they are out of range or the driver rejects
+/// them. Constructing, resolving, reading and destroying a target do not change the bindings of textures, renderbuffers
+/// and framebuffers.
 class Target {
  public:
   Target(Gl& gl, const TargetSpec& spec);
 
-  /// A side of a cube map that somebody else owns, of the spec's colour format and, square, of its size.
+  /// A face of a cube map that another object owns; it has the spec's colour format and its size, which is square.
   struct CubeFace {
     GLuint texture = 0;
     int face = 0;  ///< +x, -x, +y, -y, +z, -z
   };
-  /// The same with that side as its colour texture.
+  /// The same with that face as its colour texture.
   Target(Gl& gl, const TargetSpec& spec, const CubeFace& face);
 
   const TargetSpec& spec() const { return spec_; }
-  GLuint framebuffer() const { return framebuffer_.id(); }  ///< what is drawn into
-  GLuint colour_texture() const { return colour_.id(); }    ///< 0 where there is none of its own
-  GLuint depth_texture() const { return depth_.id(); }      ///< 0 where there is none
+  GLuint framebuffer() const { return framebuffer_.id(); }  ///< the one to draw into
+  GLuint colour_texture() const { return colour_.id(); }    ///< 0 if it owns none
+  GLuint depth_texture() const { return depth_.id(); }      ///< 0 if there is none
 
-  /// Binds it for drawing, sets the viewport to all of it, and has OpenGL encode what is drawn (GL_FRAMEBUFFER_SRGB)
-  /// where the colour is srgb8, and not encode it where it is another.
+  /// Binds it for drawing, sets the viewport to all of it, and enables GL_FRAMEBUFFER_SRGB if the colour format is
+  /// srgb8, else disables it.
   void bind(Gl& gl) const;
 
-  /// Brings the samples into the textures; every frame ends with it. Nothing happens where there is one sample. A
-  /// pixel's colour becomes the mean of its samples, in linear light. Its depth becomes that of one of them, whichever
-  /// the driver takes (glBlitFramebuffer with GL_NEAREST allows no more): a mean of depths would lie between surfaces,
-  /// where nothing is.
+  /// Resolves the samples into the textures; call it at the end of every frame. Does nothing with one sample. A pixel's
+  /// colour becomes the mean of its samples, in linear light. Its depth becomes that of one sample, which the driver
+  /// chooses (glBlitFramebuffer with GL_NEAREST): a mean of depths would lie between surfaces.
   void resolve(Gl& gl) const;
 
-  /// Resolves, and reads the colour as floats, turned so that row 0 is the top. NaN and infinity come through. srgb8 is
-  /// decoded: linear light. Throws Error where it has none.
+  /// Resolves, and reads the colour as floats, flipped so that row 0 is the top. NaN and infinity are kept. srgb8 is
+  /// decoded to linear light. Throws Error if it has no colour.
   Image read_colour(Gl& gl) const;
-  /// Resolves, and reads depth 0..1 in red, green and blue, row 0 at the top. Throws Error where it has none.
+  /// Resolves, and reads depth 0..1 in red, green and blue, row 0 at the top. Throws Error if it has no depth.
   Image read_depth(Gl& gl) const;
 
  private:
@@ -82,8 +82,8 @@ class Target {
 
   TargetSpec spec_;
   GlTexture colour_, depth_;
-  GlRenderbuffer colour_samples_, depth_samples_;  ///< empty where there is one sample
-  GlFramebuffer framebuffer_, resolved_;           ///< the latter has the textures where there are several samples
+  GlRenderbuffer colour_samples_, depth_samples_;  ///< empty with one sample
+  GlFramebuffer framebuffer_, resolved_;           ///< with several samples, resolved_ has the textures
 };
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// How much memory a texture asks for.
+// Nominal memory of a texture.
 #pragma once
 
 #include <GL/glcorearb.h>
@@ -7,8 +7,8 @@
 
 namespace atelier {
 
-/// Bytes of one texel of a sized internal format as its name promises; three channels count as the four that drivers
-/// store. 4 for formats that this project does not use.
+/// Nominal bytes of one texel of a sized internal format; three channels count as four, as drivers store them. 4 for
+/// formats that this project does not use.
 std::int64_t texel_bytes(GLenum internal_format);
 
 }  // namespace atelier

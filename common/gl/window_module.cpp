@@ -1,5 +1,5 @@
-// The module atelier-window-context: the only headless context that needs a window system. It tells what the driver of
-// a student's own screen draws.
+// The module atelier-window-context: the only headless context that needs a window system. It draws with the driver of
+// the user's own screen.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
@@ -9,7 +9,7 @@
 namespace atelier {
 namespace {
 
-/// GLFW's own words about the last thing that failed.
+/// GLFW's message about the last error.
 std::string glfw_reason() {
   const char* text = nullptr;
   glfwGetError(&text);
@@ -19,7 +19,7 @@ std::string glfw_reason() {
 class GlfwLibrary {
  public:
   GlfwLibrary() {
-    glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);  // macOS: stay in the folder that we were started in
+    glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);  // macOS: do not change the working directory
     if (!glfwInit())
       throw Error("no window can be opened (" + glfw_reason() +
                   "): start from a desktop or under xvfb-run, or use --context osmesa or egl");
@@ -47,7 +47,7 @@ class WindowContext : public HeadlessContext {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives 3.3 in no other way
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // required for 3.3 on macOS
     Window window(glfwCreateWindow(16, 16, "atelier", nullptr, nullptr));
     if (!window)
       throw Error("the window system gives no OpenGL 3.3 core context (" + glfw_reason() +
@@ -71,7 +71,7 @@ extern "C" atelier::HeadlessContext* atelier_make_window_context() {
 
 extern "C" float atelier_window_content_scale() {
   GLFWwindow* const window = glfwGetCurrentContext();
-  if (!window) throw atelier::Error("no window's context is current, so there is no screen whose scale could be told");
+  if (!window) throw atelier::Error("no window's context is current, so the scale of its screen is unknown");
   float horizontal = 1, vertical = 1;
   glfwGetWindowContentScale(window, &horizontal, &vertical);
   return horizontal;

@@ -9,7 +9,7 @@ namespace atelier {
 
 namespace {
 
-/// One row, as glTexSubImage2D takes it for the format: an sRGB texture takes codes.
+/// One row as glTexSubImage2D needs it: codes for an sRGB texture.
 std::vector<Rgba> stored_row(const Image& picture, int y, ColourFormat format) {
   std::vector<Rgba> row(&picture.at(0, y), &picture.at(0, y) + picture.width());
   if (format != ColourFormat::srgb8) return row;
@@ -23,8 +23,8 @@ std::vector<Rgba> stored_row(const Image& picture, int y, ColourFormat format) {
 void write_colour(Gl& gl, const Target& target, const Image& picture) {
   const TargetSpec& spec = target.spec();
   if (!target.colour_texture() || spec.samples != 1)
-    throw Error(
-        fmt::format("target {}: a picture is written to a colour of its own with one sample a pixel", to_string(spec)));
+    throw Error(fmt::format("target {}: to write a picture, it needs its own colour texture and one sample per pixel",
+                            to_string(spec)));
   if (picture.width() != spec.width || picture.height() != spec.height)
     throw Error(
         fmt::format("target {}: a picture of {}x{} does not fit", to_string(spec), picture.width(), picture.height()));

@@ -24,7 +24,7 @@ Rgba mean_of_block(const Image& picture, int left, int top, int factor, bool enc
 }  // namespace
 
 Image averaged(const Image& picture, int factor, Encoding encoding) {
-  if (encoding == Encoding::data) throw Error("a picture of data cannot be averaged: it is no light");
+  if (encoding == Encoding::data) throw Error("a picture of data cannot be averaged: only light can");
   if (factor < 1 || picture.width() % factor || picture.height() % factor)
     throw Error(
         fmt::format("a picture of {} x {} pixels cannot be averaged over {} x {} of them: both sides must be "

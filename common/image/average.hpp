@@ -1,4 +1,4 @@
-// A picture made smaller by taking means.
+// Shrinks a picture by averaging.
 #pragma once
 
 #include "image/colour.hpp"
@@ -6,10 +6,9 @@
 
 namespace atelier {
 
-/// Each pixel the mean of `factor` x `factor` pixels of `picture` (a box filter). The mean is of light: sRGB codes are
-/// decoded before it and encoded again; opacity is averaged as it is. What is no number or infinite makes the mean so.
-/// Throws Error where the factor is below 1 or does not divide both sides, and where the picture is data, whose means
-/// mean nothing.
+/// Each pixel is the mean of `factor` x `factor` pixels of `picture` (a box filter). Averages linear light: sRGB codes
+/// are decoded first and then encoded again; opacity is averaged directly. NaN and infinity propagate into the mean.
+/// Throws Error if the factor is below 1 or does not divide both sides, or if the picture is data.
 Image averaged(const Image& picture, int factor, Encoding encoding);
 
 }  // namespace atelier

@@ -14,7 +14,7 @@ Image each_pixel(const Image& image, Function function) {
   return result;
 }
 
-/// CIE 15: the cube root, continued by its tangent below (6/29)^3, where the root would grow too steep.
+/// CIE 15: the cube root, replaced by its tangent below (6/29)^3, where the root would be too steep.
 double lab_curve(double t) {
   constexpr double knee = 6.0 / 29;
   return t > knee * knee * knee ? std::cbrt(t) : t / (3 * knee * knee) + 4.0 / 29;
@@ -29,7 +29,7 @@ double srgb_decode(double x) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-// By way of double, so that one stays one.
+// Through double, so that 1 maps to exactly 1.
 float srgb_encode(float linear) {
   return float(srgb_encode(double(linear)));
 }
@@ -39,8 +39,8 @@ float srgb_decode(float encoded) {
 
 namespace {
 
-/// Where the curve crosses from each 8-bit code to the next, and for each of many equal steps of the linear value the
-/// code that its lower end has: from there on the right one is at most a few borders away.
+/// The linear values at which the curve changes from each 8-bit code to the next, and for each of many equal steps of
+/// the linear value the code at its lower end: the right code is at most a few borders higher.
 struct CodeTable {
   static constexpr std::size_t steps = 4096;
   std::array<double, 255> borders{};
@@ -49,14 +49,14 @@ struct CodeTable {
   CodeTable() {
     for (std::size_t code = 0; code < borders.size(); ++code) borders[code] = srgb_decode((double(code) + 0.5) / 255);
     for (std::size_t step = 0; step < steps; ++step)
-      first[step] = std::uint8_t(std::upper_bound(borders.begin(), borders.end(), double(step) / steps) -
-                                 borders.begin());
+      first[step] =
+          std::uint8_t(std::upper_bound(borders.begin(), borders.end(), double(step) / steps) - borders.begin());
   }
 };
 
 }  // namespace
 
-// A twentieth of a power's time.
+// 20 times as fast as a power.
 std::uint8_t srgb_code(float linear) {
   static const CodeTable table;
   if (!(linear > 0)) return 0;

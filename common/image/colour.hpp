@@ -1,9 +1,9 @@
-// Colour: from light to the numbers that a screen is sent, and to spaces in which distances mean something to an eye.
+// Colour: from linear light to the codes of a display, and to perceptual colour spaces.
 //
 //   linear RGB  -- proportional to light; Rec. 709 primaries, white D65. What shaders compute in.
-//   sRGB        -- the same, encoded by a curve that spends its codes where eyes see steps. What files and screens
-//   hold. XYZ         -- the CIE 1931 colour that every display can agree on; Y is luminance. L*a*b*      -- roughly
-//   perceptually even: one unit is about one just visible step.
+//   sRGB        -- the same, encoded by a curve of about equal visible steps. What files and screens store.
+//   XYZ         -- CIE 1931, independent of any display; Y is luminance.
+//   L*a*b*      -- roughly perceptually uniform: one unit is about one just noticeable difference.
 //
 // Sources: IEC 61966-2-1 (sRGB), ITU-R BT.709 (primaries, white), CIE 15 (L*a*b*).
 #pragma once
@@ -14,15 +14,15 @@
 
 namespace atelier {
 
-/// How the numbers of a picture stand for light.
+/// How a picture's numbers encode light.
 enum class Encoding {
   linear,  ///< proportional to light
   srgb,    ///< sRGB-encoded, 0..1
-  data,    ///< no colour at all: normals, depth, masks; never converted
+  data,    ///< not colour: normals, depth, masks; never converted
 };
 
-/// The sRGB curve: 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) - 0.055. Exact to rounding. Below zero the straight
-/// part goes on, above one the power does, NaN stays NaN and +infinity stays: nothing is clamped here.
+/// The sRGB curve: 12.92 x up to 0.0031308, then 1.055 x^(1/2.4) - 0.055. Exact to rounding. Not clamped: the linear
+/// part continues below 0, the power above 1; NaN and +infinity stay.
 float srgb_encode(float linear);
 double srgb_encode(double linear);
 
@@ -34,10 +34,10 @@ double srgb_decode(double encoded);
 /// NaN, 255 above 1.
 std::uint8_t srgb_code(float linear);
 
-/// The linear value that such a code stands for.
+/// The linear value of an sRGB code.
 float linear_of_code(std::uint8_t code);
 
-/// The curve on red, green and blue; opacity is no colour and stays as it is.
+/// The curve on red, green and blue; opacity does not change.
 Rgba srgb_encode(const Rgba& linear);
 Rgba srgb_decode(const Rgba& encoded);
 Image srgb_encode(const Image& linear);
@@ -56,7 +56,7 @@ struct Lab {
   double l = 0, a = 0, b = 0;  ///< l 0..100, a green to red, b blue to yellow
 };
 
-/// Rows of a 3x3 matrix; element [row][column] weighs input `column` in output `row`.
+/// A 3x3 matrix by rows: element [row][column] is the weight of input `column` in output `row`.
 struct Matrix3 {
   double m[3][3] = {};
 };
@@ -75,7 +75,7 @@ constexpr Matrix3 inverse(const Matrix3& a) {
   return r;
 }
 
-/// The matrix whose columns are the primaries' XYZ, each scaled so that together they make the white point.
+/// The matrix whose columns are the primaries' XYZ, scaled so that their sum is the white point.
 constexpr Matrix3 rgb_to_xyz(const double (&primaries)[3][2], const Xyz& white) {
   Matrix3 columns;
   for (int i = 0; i < 3; ++i) {
@@ -97,7 +97,7 @@ constexpr Matrix3 rgb_to_xyz(const double (&primaries)[3][2], const Xyz& white) 
 /// Daylight of 6500 K as XYZ with y = 1, from its chromaticity x = 0.3127, y = 0.3290.
 inline constexpr Xyz white_d65{0.3127 / 0.3290, 1, (1 - 0.3127 - 0.3290) / 0.3290};
 
-/// Linear RGB with Rec. 709 primaries to XYZ and back; derived from the chromaticities, so they invert each other.
+/// Linear RGB with Rec. 709 primaries to XYZ and back; derived from the chromaticities, so they are exact inverses.
 inline constexpr Matrix3 linear_to_xyz_matrix =
     detail::rgb_to_xyz({{0.640, 0.330}, {0.300, 0.600}, {0.150, 0.060}}, white_d65);
 inline constexpr Matrix3 xyz_to_linear_matrix = detail::inverse(linear_to_xyz_matrix);
@@ -105,8 +105,7 @@ inline constexpr Matrix3 xyz_to_linear_matrix = detail::inverse(linear_to_xyz_ma
 Xyz linear_to_xyz(const Rgba& linear);
 Rgba xyz_to_linear(const Xyz& xyz);  ///< opacity 1; may lie outside 0..1
 
-/// L*a*b* relative to D65; the straight part of its curve goes on below zero, so every finite input has a finite
-/// output.
+/// L*a*b* relative to D65; the linear part of its curve continues below 0, so every finite input has a finite output.
 Lab xyz_to_lab(const Xyz& xyz);
 
 }  // namespace atelier

@@ -16,19 +16,19 @@ constexpr float infinite = std::numeric_limits<float>::infinity();
 
 void check(const Image& yours, const Image& reference, double delta = 0) {
   if (yours.empty() || !yours.same_size(reference))
-    throw Error(fmt::format("Only pictures of one size can be compared, not {} x {} and {} x {} pixels.", yours.width(),
-                            yours.height(), reference.width(), reference.height()));
+    throw Error(fmt::format("Only pictures of the same size can be compared, not {} x {} and {} x {} pixels.",
+                            yours.width(), yours.height(), reference.width(), reference.height()));
   if (!(delta >= 0)) throw Error(fmt::format("A tolerance of {} is not possible: it is 0 or more.", delta));
 }
 
 /// Largest of three distances, each >= 0; infinite where one is NaN.
 float largest(float r, float g, float b) {
   const float rg = r > g ? r : g, all = rg > b ? rg : b;
-  return r + g + b < infinite ? all : infinite;  // a sum keeps a NaN, which no comparison finds
+  return r + g + b < infinite ? all : infinite;  // the sum propagates NaN, which comparisons would miss
 }
 
-// Each measure says how far a pixel is from another (in a unit that grows with its own), how far it is from what nine
-// pixels span, and where the limit lies.
+// Each measure computes the distance of two pixels (in an inner unit that grows with its own), the distance of a pixel
+// from the range of nine pixels, and the limit in the inner unit.
 
 /// Levels and numbers: channel by channel.
 struct Channels {
@@ -59,11 +59,11 @@ struct Channels {
   }
 };
 
-/// Directions: by the chord between unit vectors, which grows with the angle and costs no arc cosine.
+/// Directions: the chord between unit vectors, which grows with the angle and needs no arc cosine.
 struct Directions {
   struct Unit {
     float x, y, z;
-    float length;  ///< before it became 1
+    float length;  ///< before normalisation
     bool none() const { return length < 0.02f; }
   };
   static Unit decode(const Rgba& p) {
@@ -118,7 +118,7 @@ Difference collect(const Image& image, const Metric& metric, float limit, Distan
   return result;
 }
 
-/// Calls `compare(metric, limit)` with what `measure` and `delta` mean.
+/// Calls `compare(metric, limit)` with the metric of `measure` and the limit of `delta`.
 template <class Compare>
 Difference with_metric(Measure measure, double delta, Compare compare) {
   constexpr double level_rounding = 1e-3, relative_rounding = 1e-6;

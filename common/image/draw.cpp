@@ -22,10 +22,10 @@ Rgba sum(const Rgba& p, const Rgba& q) {
 }
 
 void check_sizes(bool same, const char* what) {
-  if (!same) throw Error(fmt::format("{} needs two pictures of one size.", what));
+  if (!same) throw Error(fmt::format("{} needs two pictures of the same size.", what));
 }
 
-/// Which source pixels make up one target pixel along an axis, and how much each of them gives; the shares add up to 1.
+/// The source pixels that one target pixel covers along an axis, with their weights; the weights add up to 1.
 struct Coverage {
   int first = 0;
   std::vector<float> share;
@@ -106,11 +106,11 @@ Image shrink_to(const Image& image, int longest) {
 }
 
 Image side_by_side(std::span<const Image> images, int gap, Rgba background) {
-  if (images.empty() || gap < 0) throw Error("Side by side stand one picture or more, 0 pixels apart or more.");
+  if (images.empty() || gap < 0) throw Error("Side by side needs at least one picture and a gap of 0 pixels or more.");
   long width = long(gap) * long(images.size() - 1);
   int height = 0;
   for (const Image& image : images) {
-    if (image.empty()) throw Error("An empty picture cannot stand side by side with others.");
+    if (image.empty()) throw Error("An empty picture cannot be placed side by side with others.");
     width += image.width();
     height = std::max(height, image.height());
   }
@@ -135,7 +135,7 @@ Image signed_difference(const Image& yours, const Image& reference, float gain) 
 }
 
 Rgba heat_colour(float t) {
-  // Encoded colours whose lightness L* rises by about the same amount from each to the next.
+  // Encoded colours in about equal steps of lightness L*.
   static constexpr Rgba stops[] = {{0.00f, 0.00f, 0.02f, 1}, {0.15f, 0.06f, 0.35f, 1}, {0.40f, 0.08f, 0.50f, 1},
                                    {0.66f, 0.16f, 0.46f, 1}, {0.88f, 0.30f, 0.35f, 1}, {0.97f, 0.52f, 0.30f, 1},
                                    {0.99f, 0.75f, 0.46f, 1}, {0.99f, 0.97f, 0.76f, 1}};

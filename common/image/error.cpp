@@ -30,7 +30,7 @@ void refuse_non_finite(const Image& image, const char* which) {
                             found.first[0].x, found.first[0].y));
 }
 
-/// The root of the mean over all pixels of what `squared` says of two of them.
+/// The square root of the mean of `squared` over all pairs of pixels.
 template <class Squared>
 double root_of_mean(const Image& a, const Image& b, Squared squared) {
   double sum = 0;
@@ -43,7 +43,7 @@ double squared_length(const glm::dvec3& v) {
   return glm::dot(v, v);
 }
 
-/// Radians, also where both are nearly parallel and their cosine has lost its digits.
+/// Radians; accurate also for nearly parallel vectors, where the cosine has lost its digits.
 double angle(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
@@ -60,7 +60,7 @@ double mean_flip(const Image& picture, const Image& truth, Encoding encoding) {
 }
 
 /// How much a picture changes per pixel, by central differences of the three channels together; 0 along the border, and
-/// where it bends so much that a difference says nothing of a slope: at edges, and where there is only noise.
+/// where the second difference is too large for a slope: at edges and in noise.
 double gradient(const Image& image, int x, int y) {
   if (x == 0 || y == 0 || x + 1 == image.width() || y + 1 == image.height()) return 0;
   const auto at = [&](int dx, int dy) { return vector_of(image.at(x + dx, y + dy)); };
@@ -82,7 +82,7 @@ double median_displacement(const Image& picture, const Image& truth) {
   return *middle;
 }
 
-/// The share of pixels of which `is` says so, told both red channels.
+/// The fraction of pixels for which `is` returns true, given both red channels.
 template <class Is>
 double share_of(const Image& picture, const Image& truth, Is is) {
   std::size_t count = 0;

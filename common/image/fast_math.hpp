@@ -1,16 +1,16 @@
-// Logarithm, power and cube root without a branch or a call, so that a compiler turns loops over them into SIMD code.
+// Logarithm, power and cube root without branches or calls, so that compilers vectorise loops over them.
 //
-// A library's pow is exact to the last bit and takes some 20 ns; a picture of two million pixels needs a dozen of them
-// a pixel. These take a tenth of that, vectorised, and are off by a few units in the last place of a float.
+// The standard pow is exact to the last bit and takes about 20 ns; a picture of two million pixels needs a dozen per
+// pixel. These take a tenth of that, vectorised, with an error of a few units in the last place of a float.
 #pragma once
 
 #include <bit>
 #include <cmath>
 #include <cstdint>
 
-/// Before a function: compiled twice, for every x86-64 and for those with AVX2 (eight floats at a time instead of four);
-/// the loader chooses. Both give the same bits, since products and sums are never fused (-ffp-contract=off).
-/// AddressSanitizer does not stand the choice, which is made before it has started.
+/// Compiles a function twice, for any x86-64 and for AVX2 (eight floats at a time instead of four); the loader chooses.
+/// Both give the same bits, since products and sums are never fused (-ffp-contract=off). Disabled under
+/// AddressSanitizer, because the loader chooses before it is initialised.
 #if defined(__x86_64__) && defined(__ELF__) && defined(__GNUC__) && !defined(__SANITIZE_ADDRESS__)
 #define ATELIER_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
 #else
@@ -20,7 +20,7 @@
 namespace atelier::fast {
 
 /// log2 of a positive, normal, finite x; absolute error below 1.1e-6 over 2^-20..2^4 (a float near 20 has no finer
-/// step). Zero and subnormal numbers give some finite value near -127, to be selected away by the caller.
+/// step). Zero and subnormal numbers give a finite value near -127, which the caller must replace.
 ///
 /// x = 2^e m with m in [sqrt(1/2), sqrt 2), and ln m = 2 artanh((m - 1) / (m + 1)), whose series converges quickly
 /// there.
@@ -38,8 +38,7 @@ inline float log2(float x) {
 ///
 /// x = k + f with k whole and |f| <= 1/2: 2^k is an exponent, 2^f = e^(f ln 2) is its Taylor polynomial of degree six.
 inline float exp2(float x) {
-  constexpr float shift =
-      12582912;  // 1.5 * 2^23: adding it leaves no bits for a fraction, so it rounds to whole numbers
+  constexpr float shift = 12582912;  // 1.5 * 2^23: adding it rounds to whole numbers
   const float k = (x + shift) - shift, t = (x - k) * 0.69314718056f;
   const float power = 1 + t * (1 + t * (1 / 2.0f + t * (1 / 6.0f + t * (1 / 24.0f + t * (1 / 120.0f + t / 720)))));
   return std::bit_cast<float>(std::bit_cast<std::int32_t>(power) + std::int32_t(k) * (1 << 23));
@@ -52,10 +51,10 @@ inline float pow(float x, float y) {
 
 /// The cube root of x in 2^-64..2^64; relative error below 3e-7.
 ///
-/// A third of the float's bits is a third of its logarithm: off by at most 4 %. Halley's step cubes the error; two
+/// A third of the float's bits is a third of its logarithm: error at most 4 %. Halley's step cubes the error; two
 /// suffice.
 inline float cbrt(float x) {
-  // As a product, since a division by three of integers has no SIMD instruction. The constant makes 1 map to about 1.
+  // A float product, since SIMD has no integer division. The constant maps 1 to about 1.
   float y = std::bit_cast<float>(std::int32_t(float(std::bit_cast<std::int32_t>(x)) * (1 / 3.0f)) + 0x2a5137a0);
   for (int step = 0; step < 2; ++step) {
     const float cube = y * y * y;
@@ -64,7 +63,7 @@ inline float cbrt(float x) {
   return y;
 }
 
-/// The sRGB curve on 0..1; off by less than 1e-6 (a four-thousandth of an 8-bit level) from srgb_encode.
+/// The sRGB curve on 0..1; differs from srgb_encode by less than 1e-6 (1/4000 of an 8-bit level).
 ///
 /// x^(1/2.4) = t^(5/3) with t = x^(1/4), two square roots. In t the curved part, 0.0031308^(1/4) <= t <= 1, is almost
 /// straight: its Chebyshev interpolant of degree seven, in u = -1..1 over that range, is within 5.1e-7.
@@ -75,7 +74,7 @@ inline float srgb_encode(float x) {
   return x <= 0.0031308f ? 12.92f * x : curved;
 }
 
-/// Its inverse on 0..1; off by less than 1e-6 from srgb_decode.
+/// Its inverse on 0..1; differs from srgb_decode by less than 1e-6.
 inline float srgb_decode(float x) {
   const float straight = x * (1 / 12.92f), curved = pow((x + 0.055f) * (1 / 1.055f), 2.4f);
   return x <= 0.04045f ? straight : curved;

@@ -1,7 +1,7 @@
-// FLIP works through tiles. In a tile the rows of both pictures stream past: each is turned into opponent colours and
-// filtered along x once, then kept in a ring of as many rows as the widest filter is high; when the ring around a row
-// is complete, it is filtered along y and the two pictures are compared there. A tile's rings fit in a processor's
-// second- level cache, nothing of the pictures' size is stored but the result, and tiles run on any number of threads.
+// FLIP is computed in tiles. In a tile, each row of both pictures is converted to opponent colours and filtered along x
+// once, then kept in a ring buffer with as many rows as the widest filter is high. When the ring around a row is
+// complete, it is filtered along y, and the two pictures are compared there. A tile's rings fit in the L2 cache, only
+// the result has the size of the pictures, and tiles run on any number of threads.
 #include "image/flip.hpp"
 
 #include <fmt/format.h>
@@ -26,15 +26,15 @@ using flip_detail::Filter;
 constexpr int tile_width = 480, tile_height = 270;  // a tile's two rings: 0.6 MB at the default pixels per degree
 constexpr double pooling_power = 0.7, knee = 0.4, knee_value = 0.95;  // q_c, p_c, p_t in the paper
 
-/// All that depends on the options alone.
+/// Everything that depends only on the options.
 struct Plan {
   ContrastFilters contrast;
   FeatureFilters feature;
   int radius = 0;     // of the widest filter
-  float largest = 0;  // c_max: the pooled colour distance of green and blue, the furthest apart
+  float largest = 0;  // c_max: the pooled colour distance of green and blue, the largest of all
 };
 
-/// The Hunt effect: colours in the dark look less colourful.
+/// The Hunt effect: dark colours look less colourful.
 Lab hunt(const Lab& lab) {
   return {lab.l, 0.01 * lab.l * lab.a, 0.01 * lab.l * lab.b};
 }
@@ -57,17 +57,17 @@ struct Tile {
   int width() const { return x1 - x0; }
 };
 
-/// The planes that filtering along x leaves, one ring of rows for each.
+/// The planes after filtering along x, one ring of rows each.
 enum Plane { luminance, red_green, blue_wide, blue_narrow, smooth, edge, point, plane_count };
 
-/// A row of what a viewer sees, after both directions of filtering.
+/// A row as a viewer sees it, filtered along x and y.
 struct SeenRow {
   explicit SeenRow(int width) : l(width), a(width), b(width), edge(width), point(width) {}
   std::vector<float> l, a, b;      // Hunt-adjusted L*a*b*
   std::vector<float> edge, point;  // strength of each feature, 0..1
 };
 
-// XYZ relative to white, so that white is (1, 1, 1) and every row of the matrix adds up to one.
+// XYZ relative to white: white is (1, 1, 1), and every row of the matrix adds up to 1.
 struct RelativeMatrices {
   float to[3][3], from[3][3];
 };
@@ -82,7 +82,7 @@ constexpr RelativeMatrices relative = [] {
   return r;
 }();
 
-/// One picture as it streams through a tile.
+/// One picture's rows in a tile.
 class Stream {
  public:
   Stream(const Image& image, const Plan& plan, const Tile& tile, bool encoded)
@@ -99,7 +99,7 @@ class Stream {
         ring_(std::size_t(plane_count) * height_ * tile.width()),
         seen_(tile.width()) {}
 
-  /// Filters row `y` of the picture along x and keeps it in place of the oldest.
+  /// Filters row `y` of the picture along x and overwrites the oldest row.
   void push(int y) {
     load(y);
     const float* row = source_.data();
@@ -112,7 +112,7 @@ class Stream {
     along_x(plan_.contrast.blue_yellow[1], row + 2 * padded_, slot(blue_narrow, y));
   }
 
-  /// What is seen in row `y`; rows y - radius .. y + radius (as far as there are any) must have been pushed.
+  /// Row `y` as seen; rows y - radius .. y + radius (those that exist) must have been pushed.
   const SeenRow& look(int y) {
     see_features(y);
     see_colour(y);
@@ -124,8 +124,7 @@ class Stream {
     return ring_.data() + (std::size_t(plane) * height_ + std::size_t(y % height_)) * tile_.width();
   }
 
-  /// Row `y` as opponent colours Y, Cx, Cz, with a margin of the filters' radius; beyond the picture its border
-  /// repeats.
+  /// Row `y` as opponent colours Y, Cx, Cz, with a margin of the filters' radius, where the border pixels repeat.
   void load(int y) {
     const Rgba* row = &image_.at(0, y);
     float* __restrict rgb = linear_.data();
@@ -143,7 +142,7 @@ class Stream {
       const float r = rgb[i], g = rgb[padded_ + i], b = rgb[2 * padded_ + i];
       const float x = m[0][0] * r + m[0][1] * g + m[0][2] * b, luma = m[1][0] * r + m[1][1] * g + m[1][2] * b,
                   z = m[2][0] * r + m[2][1] * g + m[2][2] * b;
-      out[i] = luma;  // relative luminance; the paper's Y is 116 luma - 16, which both of its users undo
+      out[i] = luma;  // relative luminance; the paper's Y is 116 luma - 16, which is undone in both of its uses
       out[padded_ + i] = x - luma;
       out[2 * padded_ + i] = luma - z;
     }
@@ -175,7 +174,7 @@ class Stream {
     strength(plan_.feature.point, point, seen_.point);
   }
 
-  /// The blurred colour, brought back into what a screen can show, as Hunt-adjusted L*a*b*.
+  /// The blurred colour, clamped to the displayable range, as Hunt-adjusted L*a*b*.
   void see_colour(int y) {
     along_y(plan_.contrast.luminance, luminance, y, seen_.l.data());
     along_y(plan_.contrast.red_green, red_green, y, seen_.a.data());
@@ -221,7 +220,8 @@ void compare_row(const SeenRow& reference, const SeenRow& test, float largest, f
   const float bend = float(knee) * largest, below = float(knee_value) / bend,
               above = float(1 - knee_value) / (largest - bend);
   for (int i = 0; i < count; ++i) {
-    // Colour: city-block in lightness, Euclidean in the rest (HyAB), compressed, and spread over 0..1 with a bend.
+    // Colour: city-block distance in lightness plus Euclidean distance in a and b (HyAB), compressed, and mapped to
+    // 0..1 piecewise.
     const float dl = reference.l[i] - test.l[i], da = reference.a[i] - test.a[i], db = reference.b[i] - test.b[i];
     const float distance = std::abs(dl) + std::sqrt(da * da + db * db);
     const float pooled = fast::pow(distance < 1e-12f ? 1e-12f : distance, float(pooling_power));
@@ -258,11 +258,11 @@ double compare_tile(const Image& reference, const Image& test, const Plan& plan,
 
 void check(const Image& reference, const Image& test, const FlipOptions& options) {
   if (reference.empty() || !reference.same_size(test))
-    throw Error(fmt::format("FLIP compares two pictures of one size, not {} x {} and {} x {} pixels.",
+    throw Error(fmt::format("FLIP compares two pictures of the same size, not {} x {} and {} x {} pixels.",
                             reference.width(), reference.height(), test.width(), test.height()));
   if (options.encoding == Encoding::data) throw Error("FLIP compares colours: the encoding must be linear or sRGB.");
   if (!(options.pixels_per_degree >= 1 && options.pixels_per_degree <= 200))
-    throw Error(fmt::format("FLIP cannot see {} pixels per degree: 1 to 200 are allowed.", options.pixels_per_degree));
+    throw Error(fmt::format("FLIP cannot use {} pixels per degree: 1 to 200 are allowed.", options.pixels_per_degree));
   if (options.threads < 1 || options.threads > 64)
     throw Error(fmt::format("FLIP cannot run on {} threads: 1 to 64 are allowed.", options.threads));
 }
@@ -279,14 +279,14 @@ Flip flip(const Image& reference, const Image& test, const FlipOptions& options)
       tiles.push_back(
           {x, y, std::min(x + tile_width, reference.width()), std::min(y + tile_height, reference.height())});
 
-  // Each tile's sum has its own place, so that they are added in the same order however the threads took turns.
+  // Each tile stores its own sum, so that they are always added in the same order.
   std::vector<double> sums(tiles.size());
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
     for (std::size_t i; (i = next++) < tiles.size();)
       sums[i] = compare_tile(reference, test, plan, options.encoding == Encoding::srgb, tiles[i], result.map);
   };
-  // A future brings a helper's exception (no memory left) back here, and is waited for before anything is destroyed.
+  // A future passes on a thread's exception (out of memory), and its destructor waits for the thread.
   std::vector<std::future<void>> helpers;
   for (int i = 1; i < options.threads; ++i) helpers.push_back(std::async(std::launch::async, work));
   work();

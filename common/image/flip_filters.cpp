@@ -7,7 +7,7 @@
 namespace atelier::flip_detail {
 namespace {
 
-/// Taps that weigh less than this share of the centre move no float result: they are left out.
+/// Taps below this fraction of the centre's weight do not change a float result: they are left out.
 constexpr double negligible = 1e-8;
 
 double gaussian(double x, double deviation) {

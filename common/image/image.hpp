@@ -1,4 +1,4 @@
-// A picture in memory: what the renderer reads back, the judge compares and the reports show.
+// A picture in memory.
 #pragma once
 
 #include <cstddef>
@@ -8,22 +8,21 @@
 namespace atelier {
 
 /// A pixel of four 32-bit floats. For a picture: linear red, green, blue and opacity. For data (a normal, a depth):
-/// whatever the producer declares, in the same four slots.
+/// as its producer documents, in the same four components.
 struct Rgba {
   float r = 0, g = 0, b = 0, a = 1;
   bool operator==(const Rgba&) const = default;
 };
 
-/// Float RGBA pixels, row 0 at the top, rows from left to right, without padding. Linear unless the user of the image
-/// says otherwise. Values are kept as they are: above one, negative, NaN and infinity survive, so that they can be
-/// found.
+/// Float RGBA pixels, row 0 at the top, rows from left to right, without padding. Linear unless documented otherwise.
+/// Any value can be stored, also above 1, negative, NaN and infinity.
 class Image {
  public:
   Image() = default;
-  /// Throws atelier::Error where a side is below 1 or above `max_side`.
+  /// Throws atelier::Error if a side is below 1 or above `max_side`.
   Image(int width, int height, Rgba fill = {0, 0, 0, 1});
 
-  Image(const Image&);  // in image.cpp, so that the loop over pixels is optimised whoever copies
+  Image(const Image&);  // in image.cpp, which is compiled with optimisation
   Image& operator=(const Image&);
   Image(Image&&) noexcept = default;
   Image& operator=(Image&&) noexcept = default;
@@ -39,7 +38,7 @@ class Image {
   std::span<const Rgba> pixels() const { return pixels_; }
 
   bool same_size(const Image& other) const { return width_ == other.width_ && height_ == other.height_; }
-  bool operator==(const Image&) const = default;  ///< bit by bit as floats compare: a NaN equals nothing
+  bool operator==(const Image&) const = default;  ///< exact float comparison: NaN equals nothing
 
   static constexpr int max_side = 16384;  ///< pixels a side; the largest target of the software driver
 

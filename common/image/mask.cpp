@@ -6,7 +6,7 @@ namespace atelier {
 
 Mask::Mask(int width, int height) : width_(width), height_(height) {
   if (width < 1 || height < 1 || width > Image::max_side || height > Image::max_side)
-    Image(width, height);  // says what is wrong
+    Image(width, height);  // checks the size
   bits_.assign(std::size_t(width) * height, 0);
 }
 

@@ -1,4 +1,4 @@
-// What is looked at before two pictures are compared.
+// Checks before two pictures are compared.
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ NonFinite find_non_finite(const Image& image) {
   const auto pixels = image.pixels();
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const Rgba& p = pixels[i];
-    // Zero times a finite number is zero; times a NaN or an infinity it is NaN, which equals nothing.
+    // 0 times a finite number is 0; 0 times NaN or infinity is NaN.
     if (0 * p.r + 0 * p.g + 0 * p.b + 0 * p.a == 0) continue;
     ++result.count;
     if (result.first.size() < reported)
@@ -34,7 +34,7 @@ bool is_single_colour(const Image& image, float tolerance) {
 
 namespace {
 
-/// Pixels that are encoded at a time, one channel after the other: SIMD code wants neighbours to be treated alike.
+/// Number of pixels encoded at a time, channel by channel, for SIMD.
 constexpr std::size_t block = 128;
 
 ATELIER_ALSO_FOR_AVX2 void encode_block(float (&channel)[block], float exposure) {

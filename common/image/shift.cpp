@@ -1,4 +1,4 @@
-// The shift of a whole picture, fitted.
+// Fits the shift of a whole picture.
 #include <cmath>
 
 #include "base/error.hpp"
@@ -12,7 +12,7 @@ struct Normal {
   double xx = 0, xy = 0, yy = 0, bx = 0, by = 0;
 };
 
-/// One row of mean brightness of both pictures: their sum, and how much yours has more.
+/// One row of the mean brightness of both pictures: their sum, and yours minus the reference.
 void load(const Image& yours, const Image& reference, int y, float* __restrict sum, float* __restrict difference) {
   for (int x = 0; x < yours.width(); ++x) {
     const Rgba &a = yours.at(x, y), &b = reference.at(x, y);
@@ -33,7 +33,7 @@ void add_row(const float* const (&sum)[3], const float* difference, int width, N
   n.xx += row.xx, n.xy += row.xy, n.yy += row.yy, n.bx += row.bx, n.by += row.by;
 }
 
-/// Solves A s = -b by A's eigenvectors, leaving out a direction in which there is next to no gradient.
+/// Solves A s = -b by A's eigenvectors, ignoring a direction with almost no gradient.
 Shift solve(const Normal& n) {
   const double mean = (n.xx + n.yy) / 2, radius = std::hypot((n.xx - n.yy) / 2, n.xy);
   const double strong = mean + radius, weak = mean - radius;
@@ -54,7 +54,7 @@ double Shift::length() const {
 
 Shift fit_shift(const Image& yours, const Image& reference) {
   if (yours.empty() || !yours.same_size(reference))
-    throw Error("A shift can be fitted between two pictures of one size only.");
+    throw Error("A shift can be fitted only between two pictures of the same size.");
   const int width = yours.width(), height = yours.height();
   if (width < 3 || height < 3) return {};
   std::vector<float> sum[3], difference[3];

@@ -1,4 +1,4 @@
-// What kind of file a name stands for.
+// File extensions.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace atelier::image_io {
 
-/// The ending with its dot, in small letters: ".png" of "A.PNG"; empty where there is none.
+/// The extension with its dot, in lower case: ".png" of "A.PNG"; empty if there is none.
 inline std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& c : extension)

@@ -1,6 +1,6 @@
-// The module atelier-image-io: the only place that knows OpenImageIO. Pictures go through memory alone, so that files
-// are opened, bounded and renamed by our own code, and each file is read by the one reader that fits it: left to itself
-// the library would try every plug-in that it has on a file that it does not know.
+// The module atelier-image-io: the only code that uses OpenImageIO. It works in memory only, so that our own code
+// opens, limits and renames files. Each file is read by the reader of its format: otherwise the library would try all
+// its plug-ins on an unknown file.
 #include "image_io/module.hpp"
 
 #include <OpenImageIO/filesystem.h>
@@ -15,7 +15,7 @@
 namespace atelier::image_io {
 namespace {
 
-/// The library's words as one bounded line.
+/// The library's message as one line of limited length.
 std::string one_line(std::string text) {
   constexpr std::size_t longest = 200;
   if (text.empty()) text = "the decoder gives no reason";
@@ -26,11 +26,11 @@ std::string one_line(std::string text) {
   return text;
 }
 
-/// Runs `work`; whatever it throws leaves as Error.
+/// Runs `work`; converts any exception to Error.
 template <class Work>
 auto guarded(Work work) -> decltype(work()) {
   try {
-    // One thread: pictures are small, and a grader's sandbox may not allow any more.
+    // One thread: pictures are small, and a grader's sandbox may not allow more.
     static const bool once = OIIO::attribute("threads", 1) && OIIO::attribute("exr_threads", 1);
     (void)once;
     return work();
@@ -101,7 +101,7 @@ Samples decode(std::span<const std::byte> file, const std::string& format, const
     if (!input) throw Error(fmt::format("this OpenImageIO cannot read {} pictures", format));
     OIIO::Filesystem::IOMemReader reader(const_cast<std::byte*>(file.data()), file.size());
     OIIO::ImageSpec config, spec;
-    config.attribute("oiio:UnassociatedAlpha", 1);  // colours stay as they are stored
+    config.attribute("oiio:UnassociatedAlpha", 1);  // do not multiply colours by alpha
     if (!input->set_ioproxy(&reader) || !input->open("picture", spec, config)) throw Error(one_line(input->geterror()));
     check(spec, limits);
     Samples samples{spec.width, spec.height, std::min(spec.nchannels, 4), type_of(spec.format)};
@@ -119,7 +119,7 @@ OIIO::ImageSpec spec_of(const Samples& samples) {
   return spec;
 }
 
-/// An output of a format that writes into `bytes`.
+/// A writer of a format, into `bytes`.
 std::unique_ptr<OIIO::ImageOutput> make_output(const std::string& format, OIIO::Filesystem::IOVecOutput& bytes) {
   auto output = OIIO::ImageOutput::create("picture." + format);
   if (!output || !output->set_ioproxy(&bytes))
@@ -151,7 +151,7 @@ std::vector<std::byte> animate(int count, const std::function<Samples(int)>& fra
     for (int i = 0; i < count; ++i) {
       const Samples samples = frame(i);
       OIIO::ImageSpec spec = spec_of(samples);
-      // The library takes frames a second and rounds its hundredths down.
+      // The library takes frames per second and rounds the delay down to hundredths.
       spec.attribute("FramesPerSecond", float(100 / (delay + 0.01)));
       if (!output->open("picture.gif", spec, i ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create) ||
           !output->write_image(memory(samples).first, memory(samples).second))

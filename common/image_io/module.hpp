@@ -1,4 +1,4 @@
-// What the module atelier-image-io gives to read.cpp and write.cpp, and to nobody else: bytes to samples and back.
+// The interface of the module atelier-image-io, used only by read.cpp and write.cpp: bytes to samples and back.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace atelier::image_io {
 
-/// Samples as a file stores them, row 0 at the top, channels interleaved, without padding.
+/// Samples in the order of a file: row 0 at the top, channels interleaved, without padding.
 struct Samples {
   enum class Type { bits8, bits16, half, single };
   int width = 0, height = 0, channels = 0;
-  Type type = Type::single;   ///< when reading: the type in the file; `values` are floats then
+  Type type = Type::single;   ///< when reading: the type in the file; the samples are in `values`
   std::vector<float> values;  ///< when reading, integers divided by their largest value; when writing half or single
   std::vector<std::uint8_t> bytes;   ///< when writing bits8
   std::vector<std::uint16_t> words;  ///< when writing bits16
@@ -26,8 +26,8 @@ struct Limits {
   std::size_t pixels = 0;
 };
 
-/// All of them throw Error with a reason that does not name the file; the caller does.
-/// Formats are OpenImageIO's names when reading ("openexr"), a file's ending when writing ("exr").
+/// All functions throw Error with a reason; the caller adds the file's name. Formats are OpenImageIO's names when
+/// reading ("openexr"), a file's extension when writing ("exr").
 struct Module {
   /// At most the first four channels of the first picture in the file.
   Samples (*decode)(std::span<const std::byte> file, const std::string& format, const Limits& limits);

@@ -1,4 +1,4 @@
-// Reading: which format a file has, whether it is all there, and what its numbers mean.
+// Reading: the file's format, whether it is complete, and the encoding of its numbers.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 using image_io::Samples;
 
-/// By a file's first bytes; `name` is OpenImageIO's.
+/// A format's first bytes and OpenImageIO's name of it.
 struct FormatMark {
   std::string_view mark, name;
 };
@@ -43,7 +43,7 @@ std::string format_of(std::string_view bytes, const std::string& name) {
     return "webp";
   if (image_io::lower_extension(name) == ".tga") return "targa";
   throw Error(bytes.empty() ? "it is empty"
-                            : "it is no PNG, JPEG, OpenEXR, HDR, BMP, GIF, TIFF, WebP or Targa (.tga) picture");
+                            : "it is not a PNG, JPEG, OpenEXR, HDR, BMP, GIF, TIFF, WebP or Targa (.tga) picture");
 }
 
 Image to_image(const Samples& samples) {

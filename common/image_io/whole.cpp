@@ -29,24 +29,24 @@ std::uint32_t crc32(std::string_view bytes) {
   return ~crc;
 }
 
-/// A PNG is a mark of eight bytes and then chunks: length, name of four letters, content, checksum of name and content;
-/// IEND is the last.
+/// A PNG is a signature of eight bytes and then chunks: length, name of four letters, content, checksum of name and
+/// content. IEND is the last.
 void check_png(std::string_view bytes) {
-  constexpr std::size_t mark = 8, around = 12;  // bytes of a chunk besides its content
+  constexpr std::size_t mark = 8, around = 12;  // around: bytes of a chunk besides its content
   for (bytes.remove_prefix(mark); bytes.size() >= around;) {
     const std::size_t length = big_endian(bytes.substr(0, 4));
     if (length > bytes.size() - around) break;
     const std::string_view name = bytes.substr(4, 4);
     if (crc32(bytes.substr(4, 4 + length)) != big_endian(bytes.substr(8 + length, 4)))
-      throw Error("it is damaged: a checksum does not fit");
+      throw Error("it is damaged: a checksum does not match");
     if (name == "IEND") return;
     bytes.remove_prefix(around + length);
   }
   throw Error("its end is missing");
 }
 
-/// JPEG decoders fill up what is missing with grey and call it a warning. Within the coded pixels, which follow the
-/// last start-of-scan mark, 0xff is never followed by 0xd9: that mark stands at the end, or the end is missing.
+/// JPEG decoders replace missing data by grey and only warn. The coded pixels after the last start-of-scan marker never
+/// contain 0xff 0xd9: that is the end marker, and without it the end is missing.
 void check_jpeg(std::string_view bytes) {
   const std::size_t scan = bytes.rfind("\xff\xda");
   if (scan == std::string_view::npos || bytes.find("\xff\xd9", scan) == std::string_view::npos)

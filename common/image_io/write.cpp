@@ -1,4 +1,4 @@
-// Writing: which format a path asks for, what its numbers mean, and how fine they are.
+// Writing: the format by the path, its encoding and its depth.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,12 +17,12 @@ namespace {
 using image_io::Samples;
 using Type = Samples::Type;
 
-/// What a format can hold; the first type is what it gets where nothing is asked for.
+/// What a format can store; the first type is the default.
 struct Format {
-  std::string_view extension;  // with the dot; without it, OpenImageIO's name of the format
+  std::string_view extension;  // with the dot; the rest is OpenImageIO's name of the format
   std::vector<Type> types;
   bool opacity;
-  bool linear;  // holds light rather than sRGB
+  bool linear;  // stores linear light, not sRGB
 };
 
 const Format& format_of(std::string_view extension) {
@@ -49,7 +49,7 @@ Type type_in(const Format& format, Depth depth) {
   return type;
 }
 
-/// The pixel as the format wants it.
+/// The pixel in the format's encoding.
 Rgba converted(const Rgba& pixel, Encoding encoding, bool to_linear) {
   if (encoding == Encoding::data || (encoding == Encoding::linear) == to_linear) return pixel;
   return to_linear ? srgb_decode(pixel) : srgb_encode(pixel);
@@ -58,7 +58,7 @@ Rgba converted(const Rgba& pixel, Encoding encoding, bool to_linear) {
 template <class Integer>
 Integer quantise(float value) {
   constexpr float largest = float(Integer(-1));
-  return value > 0 ? Integer(std::lround(std::min(value, 1.0f) * largest)) : Integer(0);  // NaN is not above 0
+  return value > 0 ? Integer(std::lround(std::min(value, 1.0f) * largest)) : Integer(0);  // NaN becomes 0
 }
 
 Samples to_samples(const Image& image, const Format& format, Type type, Encoding encoding) {
@@ -103,7 +103,7 @@ std::vector<std::byte> encode(const Image& image, std::string_view extension, co
   return module().encode(to_samples(image, format, type, options.encoding), std::string(extension.substr(1)));
 }
 
-/// Runs `work`, and puts the file's name into what it throws.
+/// Runs `work`, and adds the file's name to its errors.
 template <class Work>
 auto naming(const std::string& name, Work work) -> decltype(work()) {
   try {

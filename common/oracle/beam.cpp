@@ -8,10 +8,10 @@ namespace atelier::oracle {
 
 namespace {
 
-// What is left out must be missed by every ray as it is computed, not only on paper. Both are shares of the lengths at
-// hand.
-constexpr double aside = 1e-9;      ///< far above all roundings; beams that are so much wider cost nothing
-constexpr double rounding = 4e-15;  ///< some dozens of roundings; far below what a ray starts off its own surface
+// Culling must be conservative for rays as they are computed, including rounding. Both values are relative to the
+// lengths involved.
+constexpr double aside = 1e-9;      ///< margin far above rounding errors; widening beams by this costs nothing
+constexpr double rounding = 4e-15;  ///< a few dozen rounding errors; far below a ray's offset from its own surface
 
 double size_of(const glm::dvec3& v) {
   return std::abs(v.x) + std::abs(v.y) + std::abs(v.z);
@@ -32,8 +32,9 @@ Beam::Beam(const glm::dvec3& apex, const Window& window, const glm::dvec2& low, 
         window.middle + (corner & 1 ? high.x : low.x) * right + (corner & 2 ? high.y : low.y) * up;
   for (const glm::dvec3& end : ends_) reach_ = std::max(reach_, size_of(end));
 
-  // In the frame, from the apex: a ray is t (x, y, depth), with x and y between the window's sides and one depth for
-  // all. At distance z along the axis, t = z / depth, so that x <= x_high t is depth x - x_high z <= 0, and so on.
+  // In the frame, relative to the apex: a ray is t (x, y, depth), with x and y between the window's sides and the same
+  // depth for all rays. At distance z along the axis, t = z / depth, so x <= x_high t is depth x - x_high z <= 0, and
+  // so on.
   const double along = glm::dot(window.middle, ahead), depth = std::abs(along);
   const glm::dvec3 away = along < 0 ? -ahead : ahead;
   const double x = glm::dot(window.middle, right), y = glm::dot(window.middle, up);
@@ -66,7 +67,7 @@ bool Beam::all_outside_one_half_space(std::span<const glm::dvec3> corners) const
   });
 }
 
-/// The beam never comes to the other side of the face's plane: so it is with the surface that it leaves.
+/// Whether the beam never crosses the face's plane. True for the surface at which its rays start.
 bool Beam::stays_on_one_side(std::span<const glm::dvec3> corners) const {
   const glm::dvec3 side = corners[1] - corners.front(), other_side = corners.back() - corners.front();
   const glm::dvec3 from_corner = apex_ - corners.front();
@@ -76,18 +77,18 @@ bool Beam::stays_on_one_side(std::span<const glm::dvec3> corners) const {
   const double area = size_of(side) * size_of(other_side);
   const double slack = rounding * area * (reach_ + size_of(from_corner));
   if (above <= slack) return false;
-  // The apex is where it is; of the ends, a ray's may lie beside the window's.
+  // The apex is exact; the ends of rays may deviate from the window's.
   return std::ranges::all_of(ends_, [&](const glm::dvec3& end) {
     return (endless_ ? 0 : above) + glm::dot(normal, end) > slack + 4 * bend_ * area;
   });
 }
 
-/// Seen from the apex, the whole window lies beyond the line through one of the face's edges. With the window's own
-/// edges, which are the half-spaces, this finds whatever separates the two: they are convex.
+/// Whether, seen from the apex, the whole window lies outside the line through one of the face's edges. Together with
+/// the window's edges (the half-spaces) this is a separating-axis test: both are convex.
 bool Beam::passes_an_edge(std::span<const glm::dvec3> corners) const {
   const glm::dvec3 first = corners[0] - apex_, second = corners[1] - apex_, last = corners.back() - apex_;
   const double around = size_of(first) + size_of(second) + size_of(last);
-  const double volume = glm::dot(glm::cross(first, second), last);  // its sign: which way round, seen from the apex
+  const double volume = glm::dot(glm::cross(first, second), last);  // its sign is the winding, seen from the apex
   if (std::abs(volume) <= rounding * around * around * around) return false;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const glm::dvec3 a = corners[i] - apex_, b = corners[(i + 1) % corners.size()] - apex_;

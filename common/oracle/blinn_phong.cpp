@@ -41,7 +41,7 @@ glm::dvec3 reflected(const Reflectance& surface, const glm::dvec3& normal, const
 glm::dvec3 albedo(const Reflectance& surface, double cos_eye, int rings) {
   constexpr double pi = glm::pi<double>();
   const glm::dvec3 normal(0, 0, 1), to_eye(std::sqrt(std::max(0.0, 1 - cos_eye * cos_eye)), 0, cos_eye);
-  const int around = cos_eye == 1 ? 1 : 4 * rings;  // seen straight on every direction around is alike
+  const int around = cos_eye == 1 ? 1 : 4 * rings;  // rotationally symmetric at normal incidence
   const double step = pi / 2 / rings;
   glm::dvec3 sum(0);
   for (int ring = 0; ring < rings; ++ring) {

@@ -8,9 +8,9 @@ namespace atelier::oracle {
 
 namespace {
 
-constexpr int bins = 16;                ///< possible cuts compared are one fewer
-constexpr std::uint32_t leaf_size = 4;  ///< so many things are not cut any further
-constexpr int careful_depth = 56;       ///< below it halves are halved by number, which ends after 32 more levels
+constexpr int bins = 16;                ///< one more than the splits that are compared
+constexpr std::uint32_t leaf_size = 4;  ///< nodes with at most this many primitives are leaves
+constexpr int careful_depth = 56;       ///< below it nodes are split by count, which ends after 32 more levels
 
 double half_area(const Box3& box) {
   if (box.empty()) return 0;
@@ -28,11 +28,11 @@ int bin_of(double position, double low, double length) {
 }
 
 struct Cut {
-  int bin = 0;  ///< things in bins below it go to the first half
+  int bin = 0;  ///< primitives in bins below it go to the first half
   double cost = 0;
 };
 
-/// The cut with the least (things x area) on both sides.
+/// The split with the least sum of primitives x area.
 Cut best_cut(const std::array<Box3, bins>& boxes, const std::array<std::uint32_t, bins>& counts) {
   std::array<double, bins> cost_behind{};
   Box3 box;
@@ -69,7 +69,7 @@ struct Bvh::Builder {
   Bvh& tree;
   std::span<const Box3> boxes;
 
-  /// Orders the things begin..end so that those before the returned place make the first half.
+  /// Partitions the primitives begin..end; returns the start of the second half.
   std::uint32_t split(std::uint32_t begin, std::uint32_t end, int axis, const Box3& middles, bool by_number) {
     const auto first = tree.order_.begin() + begin, last = tree.order_.begin() + end;
     const double low = middles.low[axis], length = middles.high[axis] - low;
@@ -106,7 +106,7 @@ struct Bvh::Builder {
 
     const glm::dvec3 size = middles.high - middles.low;
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-    // Areas of nothing tell no cut from another.
+    // With zero area all splits have the same cost.
     const bool by_number = depth > careful_depth || half_area(box) == 0;
     const std::uint32_t half = split(begin, end, axis, middles, by_number);
     build(begin, half, depth + 1);

@@ -1,10 +1,9 @@
-// A tree of boxes over things that rays may meet (a bounding volume hierarchy): a ray that misses a box misses all that
-// is in it.
+// A bounding volume hierarchy: a ray that misses a box misses everything in it.
 //
-// Built from the top by the surface area heuristic: a cut is as good as the expected number of things that a random ray
-// meets, where a box is met in proportion to its area; 16 possible cuts along the longest axis are compared (Wald, "On
-// fast Construction of SAH-based Bounding Volume Hierarchies", 2007). Traversed without recursion, the nearer half
-// first.
+// Built top-down with the surface area heuristic: the cost of a split is the expected number of primitives that a
+// random ray tests, where the probability of hitting a box is proportional to its area. Splits between 16 bins along
+// the longest axis are compared (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", 2007).
+// Traversed without recursion, the nearer half first.
 #pragma once
 
 #include <cstdint>
@@ -19,31 +18,31 @@ namespace atelier::oracle {
 class Bvh {
  public:
   Bvh() = default;
-  /// Over things that lie within these boxes; what is met is told by the index of its box.
+  /// Over primitives with these bounding boxes; a primitive is identified by the index of its box.
   explicit Bvh(std::span<const Box3> boxes);
 
-  /// Calls meet(i) for each thing whose box the ray may meet, roughly from near to far, with every thing at most once.
-  /// `most` is the end of the ray's stretch: `meet` shortens it when it has found something, and boxes beyond are left
-  /// out then. Ends early where meet returns true.
+  /// Calls meet(i) for each primitive whose box the ray may hit, roughly from near to far, at most once each. `most` is
+  /// the end of the ray's interval: `meet` may reduce it after a hit, and boxes beyond it are skipped. Stops if meet
+  /// returns true.
   template <class Meet>
   void traverse(const Ray& ray, const double& most, Meet&& meet) const;
 
-  /// Calls meet(i) for each thing in boxes of the tree of which misses(box) does not say that they need no look.
+  /// Calls meet(i) for each primitive of a leaf unless misses(box) is true for a box around it.
   template <class Misses, class Meet>
   void visit(Misses&& misses, Meet&& meet) const;
 
   bool empty() const { return nodes_.empty(); }
-  int depth() const { return depth_; }  ///< levels of boxes; 0 where there is nothing
+  int depth() const { return depth_; }  ///< levels of boxes; 0 if empty
 
  private:
   struct Node {
     Box3 box;
-    std::uint32_t begin = 0, end = 0;  ///< leaf: what it holds, in order_; inner: begin = end, its halves follow
-    std::uint32_t second = 0;          ///< inner: the index of the second half; the first stands right behind it
-    int axis = 0;                      ///< inner: along which it was cut
+    std::uint32_t begin = 0, end = 0;  ///< leaf: its range in order_; inner node: begin = end
+    std::uint32_t second = 0;          ///< inner node: index of the second child; the first child is the next node
+    int axis = 0;                      ///< inner node: the axis of its split
     bool leaf() const { return begin != end; }
   };
-  /// What the tests of all boxes share: 1/direction, and which way the ray runs along each axis, if it does.
+  /// Precomputed for the box tests: 1/direction, and per axis whether the ray runs backwards or parallel to its planes.
   struct Slopes {
     glm::dvec3 inverse;
     bool backwards[3], parallel[3];
@@ -59,20 +58,20 @@ class Bvh {
   int depth_ = 0;
 };
 
-// ---- What is a template, or called for every box
+// ---- Templates, and what is called for every box
 
 inline bool Bvh::meets(const Box3& box, const Ray& ray, const Slopes& slopes, double most) {
   double enter = ray.least, leave = most;
   for (int axis = 0; axis < 3; ++axis) {
-    if (slopes.parallel[axis]) {  // 0 times infinity would be NaN
+    if (slopes.parallel[axis]) {  // avoids 0 times infinity, which is NaN
       if (ray.origin[axis] < box.low[axis] || ray.origin[axis] > box.high[axis]) return false;
       continue;
     }
     double in = (box.low[axis] - ray.origin[axis]) * slopes.inverse[axis],
            out = (box.high[axis] - ray.origin[axis]) * slopes.inverse[axis];
     if (slopes.backwards[axis]) std::swap(in, out);
-    // Rounding may put the exit before the entry of a box that the ray touches: let it leave a little late. Ize,
-    // "Robust BVH Ray Traversal", JCGT 2 (2013): by two parts in 2^52 of three roundings each.
+    // Rounding may put the exit before the entry of a box that the ray touches: move the exit slightly. Ize, "Robust
+    // BVH Ray Traversal", JCGT 2 (2013): by two parts in 2^52 of three roundings each.
     out += std::abs(out) * (6 * std::numeric_limits<double>::epsilon());
     enter = in > enter ? in : enter;
     leave = out < leave ? out : leave;

@@ -16,7 +16,7 @@ CameraRays::CameraRays(const Camera& camera, const glm::ivec2& size)
 }
 
 Ray CameraRays::through(const glm::dvec2& pixel) const {
-  const glm::dvec2 place = (pixel / size_ * 2.0 - 1.0) * half_;  // down the picture is down in space: y turns
+  const glm::dvec2 place = (pixel / size_ * 2.0 - 1.0) * half_;  // pixel y runs down: flip y
   const glm::dvec3 aside = place.x * frame_.right - place.y * frame_.up;
   if (orthographic_) return {eye_ + aside, frame_.ahead, near_, far_};
   return {eye_, frame_.ahead + aside, near_, far_};

@@ -1,4 +1,4 @@
-// Which ray belongs to which point of the picture, and how deep a point lies.
+// Camera rays and depth values.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,13 +11,13 @@ namespace atelier::oracle {
 
 class CameraRays {
  public:
-  /// Of a picture of `size` pixels, which shows camera.fov_y (or camera.height) from bottom to top, and as much from
-  /// side to side as its shape has it. Right and up are those of view_frame(target - eye, up).
+  /// For a picture of `size` pixels, whose vertical extent is camera.fov_y (or camera.height); the horizontal one
+  /// follows from the aspect ratio. Right and up are those of view_frame(target - eye, up).
   CameraRays(const Camera& camera, const glm::ivec2& size);
 
-  /// The ray through a point of the picture, in pixels from its upper left corner: (x + 0.5, y + 0.5) is the middle of
-  /// pixel (x, y), where OpenGL takes its sample. t is the distance along the axis, and the stretch runs from the near
-  /// plane to the far plane.
+  /// The ray through a point of the picture, in pixels from its upper left corner: (x + 0.5, y + 0.5) is the centre of
+  /// pixel (x, y), where OpenGL samples. t is the distance along the axis; the ray's interval is from the near plane to
+  /// the far plane.
   Ray through(const glm::dvec2& pixel) const;
 
   /// The depth that OpenGL stores at distance z along the axis: 0 at the near plane, 1 at the far plane;
@@ -31,7 +31,7 @@ class CameraRays {
   bool orthographic_;
   glm::dvec3 eye_;
   ViewFrame frame_;
-  glm::dvec2 size_, half_;  ///< pixels; what is seen to the right and above: metres, or tangents of angles
+  glm::dvec2 size_, half_;  ///< pixels; half extents of the view: metres, or tangents of angles
   double near_, far_;
 };
 

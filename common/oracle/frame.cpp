@@ -16,7 +16,7 @@ ViewFrame view_frame(const glm::dvec3& direction, const glm::dvec3& up) {
   ViewFrame frame;
   if (direction != glm::dvec3(0)) frame.ahead = glm::normalize(direction);
   frame.right = glm::cross(frame.ahead, up);
-  // Parallel to a float's accuracy: the views that are compared with this one are worked out in floats.
+  // Parallel within float accuracy: the views compared with this one are computed in floats.
   if (glm::length(frame.right) <= 1e-6 * glm::length(up))
     frame.right = glm::cross(frame.ahead, axis_least_along(frame.ahead));
   frame.right = glm::normalize(frame.right);

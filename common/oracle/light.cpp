@@ -8,7 +8,7 @@ namespace atelier::oracle {
 
 namespace {
 
-/// A float's pi is not pi: an angle that was meant to be half a turn takes in everything.
+/// Float pi is not exactly pi: treat an angle of about half a turn as exactly that.
 double cosine_of(double angle) {
   return angle >= double(std::numbers::pi_v<float>) - 1e-9 ? -1 : std::cos(angle);
 }

@@ -1,41 +1,40 @@
-// Ground truth: a ray tracer in double precision over a Scene. What it says is what a picture ought to be; what a
-// step's renderer says is measured against it. It therefore shares nothing with the renderer, the steps or their
-// shaders: no matrix of theirs, no shading, no rounding. What both stand on are the plain data of scene/ and the
-// conventions that the contracts fix (which way is up in a texture, what a camera straight above its target takes for
-// "up").
+// Ground truth: a double-precision ray tracer for a Scene. The pictures of the steps are compared with it. It therefore
+// shares no code with the renderer, the steps or their shaders: no matrices, no shading, no rounding. Both use only the
+// plain data of scene/ and the conventions of the contracts (which way is up in a texture, which up direction a camera
+// straight above its target uses).
 //
 //   const oracle::World world(scene);
 //   const Image truth = oracle::trace(world, {.camera = scene.camera, .size = {640, 480}, .samples = 4});
 //
-// The parts, in the order in which a picture is made; each stands in a file of its own:
+// The parts, in the order in which a picture is computed, each in its own file:
 //
-//   ray.hpp          a ray and the stretch of it that counts
-//   frame.hpp        which way is right and which is up for who looks along a direction
-//   camera.hpp       which ray belongs to which point of the picture, and how deep a point lies
+//   ray.hpp          a ray and its interval
+//   frame.hpp        the right and up directions of a view
+//   camera.hpp       camera rays and depth values
 //   triangle.hpp     ray and triangle, without gaps between neighbours
 //   shape.hpp        ray and sphere, cylinder wall, rectangle: shapes that triangles only approximate
-//   bvh.hpp          a tree of boxes, so that a ray meets few of many
-//   beam.hpp         a pyramid of rays, and what it certainly misses
-//   world.hpp        a scene made ready: everything in world space; what a ray sees, what blocks a light
+//   bvh.hpp          a bounding volume hierarchy
+//   beam.hpp         a pyramid of rays, for conservative culling
+//   world.hpp        a scene in world space; what a ray sees, what blocks a light
 //   texture.hpp      the colour of a texture at a point
-//   light.hpp        the light that arrives
-//   blinn_phong.hpp  the light that leaves, and how much of it there is in all
-//   shading.hpp      what is asked for: which part of the light, which shadows
-//   shadow.hpp       how much of a light a point sees
-//   shade.hpp        all of it together: the colour of a point of a surface
-//   picture.hpp      many rays: a whole picture on all processors
+//   light.hpp        incident light
+//   blinn_phong.hpp  reflected light, and the albedo
+//   shading.hpp      options: which part of the light, which shadows
+//   shadow.hpp       the visible fraction of a light
+//   shade.hpp        the colour of a surface point
+//   picture.hpp      a whole picture, on all CPU cores
 //
-// There are no mipmaps and there is no filter beyond the box of n x n samples a pixel: supersampling *is* the truth
-// that mipmaps and anti-aliasing approximate. All settings of a step that trade accuracy for speed therefore have no
-// meaning here; those that change what is asked for (which light shines, which normalisation) do.
+// There are no mipmaps and no filter except the box filter over n x n samples per pixel: supersampling is the truth
+// that mipmaps and anti-aliasing approximate. Settings of a step that trade accuracy for speed therefore have no effect
+// here; settings that change the picture (which lights are on, which normalisation) do.
 //
-// Where later steps come in:
-//   shadow factors         shading.hpp: a SurfaceColour that says what `visibility` does of one light
-//   normal maps            shade.hpp: the normal is replaced after World::seen has found the point, before it is lit
+// Extension points for later steps:
+//   shadow factors         shading.hpp: a SurfaceColour that returns the `visibility` of one light
+//   normal maps            shade.hpp: the normal is replaced after World::seen has found the point, before shading
 //   height fields          shape.hpp: one more member of `Surface`, a bilinear patch a cell (a quadratic in t)
-//   portals                picture.hpp: what a ray sees may be a frame; the ray is carried through and traced again
-//   light in texture space picture.hpp: the same shading, asked for points of a texture instead of pixels
-//   quadrature             blinn_phong.hpp: `albedo` shows the way
+//   portals                picture.hpp: a ray that hits a portal is transformed and traced again
+//   light in texture space picture.hpp: the same shading, at points of a texture instead of pixels
+//   quadrature             blinn_phong.hpp: `albedo` is an example
 #pragma once
 
 #include "oracle/beam.hpp"

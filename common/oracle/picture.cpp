@@ -23,7 +23,7 @@ const std::map<std::string, Output>& outputs() {
   return named;
 }
 
-/// What one ray has to say.
+/// The value of one ray.
 glm::dvec3 sample(const World& world, const CameraRays& camera, const PictureRequest& request, const Ray& ray) {
   const auto point = world.seen(ray);
   if (!point) return request.output == Output::colour ? glm::dvec3(world.scene().background) : glm::dvec3(0);
@@ -61,12 +61,12 @@ void trace_row(const World& world, const CameraRays& camera, const PictureReques
   }
 }
 
-/// Hands out the rows of a picture, and keeps the first thing that was thrown over one of them.
+/// Distributes the rows of a picture to threads, and stores the first exception.
 class Rows {
  public:
   explicit Rows(int count) : count_(count) {}
 
-  /// Does rows until none is left. `after_each` is told the share of rows that have been handed out.
+  /// Processes rows until none is left. `after_each` gets the fraction of rows that have been handed out.
   void work(const std::function<void(int)>& row, const std::function<void(double)>& after_each) {
     try {
       for (int y = next_++; y < count_; y = next_++) {
@@ -74,7 +74,7 @@ class Rows {
         if (after_each) after_each(double(std::min(next_.load(), count_)) / count_);
       }
     } catch (...) {
-      next_ = count_;  // the others may go home
+      next_ = count_;  // stops the other threads
       const std::lock_guard lock(guard_);
       if (!thrown_) thrown_ = std::current_exception();
     }

@@ -1,4 +1,4 @@
-// A ray, and the stretch of it that counts.
+// A ray and its interval.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,8 +6,8 @@
 
 namespace atelier::oracle {
 
-/// The points origin + t direction, least <= t <= most. The direction may have any length but zero: t is measured in
-/// its length, so that a camera can have t mean the distance along its axis, and a shadow ray 1 mean the light.
+/// The points origin + t direction, least <= t <= most. The direction may have any length except zero; t is in units of
+/// it. So t can be the distance along a camera's axis, or 1 at the light for a shadow ray.
 struct Ray {
   glm::dvec3 origin{0}, direction{0, 0, -1};
   double least = 0, most = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// What is asked for of surfaces and lights, beside what the scene says: choices that every picture makes.
+// Shading options of a picture, beside the scene.
 #pragma once
 
 #include <functional>
@@ -9,40 +9,39 @@
 
 namespace atelier::oracle {
 
-/// What of the light is asked for.
+/// Which part of the light is computed.
 enum class Part {
   all,
-  diffuse,   ///< ambient and diffuse light alone, without emission
-  specular,  ///< the highlights alone
+  diffuse,   ///< only ambient and diffuse light, without emission
+  specular,  ///< only the highlights
 };
 
-/// Whether things stand in each other's light. Lights, nodes and shapes say whether they take part.
+/// Shadows. Lights, nodes and shapes have flags that exclude them.
 enum class Shadows {
   none,
-  hard,  ///< every light is a point, or a single direction
-  soft,  ///< every light is a square: a point may see a part of it
+  hard,  ///< every light is a point or a single direction
+  soft,  ///< every light is a square, which may be partly visible
 };
 
-/// A surface that is not Blinn-Phong: the colour of a point as seen from `eye`, linear. Called from several threads. It
-/// may send rays of its own, or ask for `visibility` (oracle/shadow.hpp).
+/// A shading model other than Blinn-Phong: the linear colour of a point as seen from `eye`. Called from several
+/// threads. It may trace rays of its own, or call `visibility` (oracle/shadow.hpp).
 using SurfaceColour = std::function<glm::dvec3(const World& world, const SurfacePoint& point, const glm::dvec3& eye)>;
 
-/// What of a light goes on to a position in world space, 0..1, past something thin that no node or shape stands for: a
-/// screen, a pane. Called from several threads.
+/// The fraction of a light, 0..1, that reaches a position in world space through a thin object that is not in the
+/// scene, such as a blind. Called from several threads.
 using LightShare = std::function<double(const Light& light, const glm::dvec3& position)>;
 
-/// Choices that change what is asked for; light_samples alone trades accuracy for speed.
+/// Options that change the picture; only light_samples trades accuracy for speed.
 struct Shading {
   Normalisation normalisation = Normalisation::none;
   Shadows shadows = Shadows::none;
-  double light_width =
-      0;  ///< soft: the side of the square, 0..1e6 metres, or of a directional light tangents of angles
+  double light_width = 0;  ///< soft: side of the square, 0..1e6 metres; for a directional light, tangent of an angle
   int light_samples = 16;  ///< soft: n x n points of the square on a regular grid, 1..256
-  LightShare share;        ///< set: multiplies how much of a light is seen, at points that receive shadows
-  SurfaceColour surface;   ///< set: stands in for all of the above
+  LightShare share;        ///< if set, multiplies the visible fraction of a light, at points that receive shadows
+  SurfaceColour surface;   ///< if set, replaces all of the above
 };
 
-/// Throws Error where the width or the number of samples of soft shadows is out of range.
+/// Throws Error if the width or the number of samples of soft shadows is out of range.
 void validate(const Shading& shading);
 
 }  // namespace atelier::oracle

@@ -16,41 +16,41 @@ namespace {
 
 constexpr int most_samples = 256;
 constexpr double widest = 1e6;
-constexpr double off_surface = 1e-12;  ///< of the lengths at hand: a thousand roundings
+constexpr double off_surface = 1e-12;  ///< relative to the lengths involved: a thousand rounding errors
 
 double largest_component(const glm::dvec3& v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// A rectangle of the grid of samples: columns and rows, first and last, both within it.
+/// A rectangle of the sample grid: first and last column and row, inclusive.
 struct Cells {
   glm::ivec2 first, last;
   int count() const { return (last.x - first.x + 1) * (last.y - first.y + 1); }
 };
 
-/// The rays from one point to one light.
+/// The shadow rays from one point to one light.
 class ShadowRays {
  public:
   ShadowRays(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading);
 
   bool at_light() const { return window_.middle == glm::dvec3(0) && !window_.endless; }
   int samples() const { return samples_; }
-  /// To the middle of a cell of the grid.
+  /// To the centre of a cell of the grid.
   Ray to(const glm::ivec2& cell) const;
   Beam beam(const Cells& cells) const { return {apex_, from_apex_, aside(cells.first), aside(cells.last), level_}; }
 
  private:
-  /// From the light's centre, along right and up.
+  /// Offset from the light's centre, along right and up.
   glm::dvec2 aside(const glm::ivec2& cell) const {
     return ((glm::dvec2(cell) + 0.5) / double(samples_) - 0.5) * width_;
   }
 
-  glm::dvec3 apex_, normal_;  ///< where the rays start; of the surface, on the light's side
-  Window window_;             ///< as seen from the point,
-  Window from_apex_;          ///< and from where the rays start
+  glm::dvec3 apex_, normal_;  ///< where the rays start; the surface's normal, on the light's side
+  Window window_;             ///< as seen from the point
+  Window from_apex_;          ///< as seen from the apex
   double width_ = 0;
-  double gap_ = 0;    ///< metres that rays start off the surface
-  double level_ = 0;  ///< a ray whose end climbs less runs along the surface; metres, or of directions radians
+  double gap_ = 0;    ///< offset of the rays' start from the surface, metres
+  double level_ = 0;  ///< a ray that rises less than this runs along the surface; metres, or radians for directions
   int samples_ = 1;
 };
 
@@ -63,8 +63,8 @@ ShadowRays::ShadowRays(const World& world, const SurfacePoint& point, const Ligh
     width_ = shading.light_width;
     samples_ = shading.light_samples;
   }
-  // The point itself, and whatever a ray meets, is known to some parts in 1e16 of the largest coordinates at hand:
-  // start a little off the surface, on the side that the light is on, so that a surface does not shade itself.
+  // Positions have a relative error of some 1e-16 of the largest coordinates: start slightly off the surface, on the
+  // light's side, to avoid self-shadowing.
   const double distance = window_.endless ? 0 : glm::length(window_.middle);
   gap_ = off_surface * (std::max(world.reach(), largest_component(point.position)) + distance);
   level_ = window_.endless ? off_surface : gap_;
@@ -77,7 +77,7 @@ ShadowRays::ShadowRays(const World& world, const SurfacePoint& point, const Ligh
 Ray ShadowRays::to(const glm::ivec2& cell) const {
   const glm::dvec2 at = aside(cell);
   glm::dvec3 way = window_.middle + at.x * window_.frame.right + at.y * window_.frame.up;
-  // A ray along the surface stays as far off it as it starts: on the way down it would meet the surface by rounding.
+  // Make a ray along the surface exactly parallel to it: otherwise rounding could make it hit the surface.
   const double climb = glm::dot(normal_, way);
   if (window_.endless) {
     if (std::abs(climb) < level_) way -= climb * normal_;
@@ -86,12 +86,13 @@ Ray ShadowRays::to(const glm::ivec2& cell) const {
   if (std::abs(climb) < level_) way += (gap_ - climb) * normal_;
   way -= gap_ * normal_;
   const double length = glm::length(way);
-  return {apex_, way, 0, length > gap_ ? 1 - gap_ / length : 0};  // a surface that touches the light does not hide it
+  return {apex_, way, 0,
+          length > gap_ ? 1 - gap_ / length : 0};  // a surface that touches the light does not occlude it
 }
 
-/// Counts the cells that the point sees, a rectangle of them at a time: all of one that nothing can stand before, none
-/// of one that a flat thing covers from corner to corner. Only along the edges of shadows does it come down to single
-/// rays; what it finds is what a ray to every cell would find.
+/// Counts the cells that the point sees, one rectangle of cells at a time: all of it if nothing can occlude it, none of
+/// it if a single flat primitive covers it. Single rays are traced only at shadow edges. The result equals that of a
+/// ray to every cell.
 class SeenCells {
  public:
   SeenCells(const World& world, const ShadowRays& rays) : world_(world), rays_(rays) {}
@@ -104,9 +105,9 @@ class SeenCells {
   }
 
  private:
-  static constexpr int few = 8;  ///< cells for which a beam costs more than their rays
+  static constexpr int few = 8;  ///< with at most this many cells, single rays are cheaper than a beam
 
-  /// `first` to `last`: the things that may stand before these cells, in things_.
+  /// `first` to `last`: range in things_ of the primitives that may occlude these cells.
   int count(const Cells& cells, std::size_t first, std::size_t last) {
     if (first == last) return cells.count();
     if (cells.count() <= few) return count_each(cells, first, last);
@@ -152,7 +153,8 @@ class SeenCells {
 
   const World& world_;
   const ShadowRays& rays_;
-  std::vector<std::uint32_t> things_;  ///< a stack: what may stand before a rectangle, on top of that of its whole
+  /// A stack of possible occluders: those of a rectangle on top of those of the enclosing rectangle.
+  std::vector<std::uint32_t> things_;
 };
 
 }  // namespace
@@ -177,7 +179,7 @@ double seen_share(const World& world, const SurfacePoint& point, const Light& li
   return SeenCells(world, rays).count() / (double(n) * n);
 }
 
-double let_through(const Light& light, const glm::dvec3& position, const LightShare& share) {
+double transmitted(const Light& light, const glm::dvec3& position, const LightShare& share) {
   const double found = share(light, position);
   if (!(found >= 0 && found <= 1))
     throw Error(fmt::format("a share {} of light '{}' (allowed: 0 to 1)", found, light.name));
@@ -190,7 +192,7 @@ double visibility(const World& world, const SurfacePoint& point, const Light& li
   validate(shading);
   if (!point.receives_shadow) return 1;
   const double seen = seen_share(world, point, light, shading);
-  return shading.share ? seen * let_through(light, point.position, shading.share) : seen;
+  return shading.share ? seen * transmitted(light, point.position, shading.share) : seen;
 }
 
 }  // namespace atelier::oracle

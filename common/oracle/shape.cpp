@@ -12,9 +12,9 @@ namespace {
 constexpr double tau = 2 * glm::pi<double>();
 
 /// Where o + t d is `radius` from the origin, in the plane (a cylinder) or in space (a sphere), the smaller t first.
-/// Neither a far origin nor one near the surface costs digits: the discriminant comes from the ray's closest approach
-/// (Haines et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019), and the root that a
-/// difference would make comes from the product of both.
+/// Accurate for origins far away and near the surface: the discriminant comes from the ray's closest approach (Haines
+/// et al., "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019), and the root with
+/// cancellation is computed from the product of both.
 template <class Vector>
 std::optional<std::array<double, 2>> at_radius(const Vector& o, const Vector& d, double radius) {
   const double a = glm::dot(d, d);
@@ -37,7 +37,7 @@ bool faces(const Ray& ray, const glm::dvec3& normal) {
   return glm::dot(ray.direction, normal) < 0;
 }
 
-/// The share of a whole turn from +x to (x, y), 0 <= share < 1.
+/// The angle from +x to (x, y) as a fraction of a full turn, 0 <= fraction < 1.
 double turn_share(double x, double y) {
   const double share = std::atan2(y, x) / tau;
   return share < 0 ? share + 1 : share;
@@ -85,7 +85,7 @@ std::optional<ShapeHit> meet(const Rectangle& flat, const Ray& ray, bool front_o
   return ShapeHit{t, normal, {(a + 1) / 2, (b + 1) / 2}};
 }
 
-/// The corners of a box around the surface in its own space.
+/// The bounding box of the surface in its own space.
 Box3 own_bounds(const Surface& surface) {
   Box3 box;
   if (const auto* sphere = std::get_if<Sphere>(&surface)) {

@@ -1,5 +1,5 @@
-// Shapes that triangles only approximate: where one of these serves as truth, tessellation has something to be measured
-// against. Each is a formula in an object space of its own, placed by a matrix.
+// Exact curved shapes, as ground truth for tessellated ones. Each is a formula in its own object space, placed by a
+// matrix.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,48 +11,48 @@
 
 namespace atelier::oracle {
 
-/// A globe around the origin, seen from outside. Texture coordinates as on make_sphere: u once around eastwards from +x
-/// (counter-clockwise from above), v from the south pole to the north pole.
+/// A sphere around the origin, seen from outside. Texture coordinates as on make_sphere: u once around eastwards from
+/// +x (counter-clockwise from above), v from the south pole to the north pole.
 struct Sphere {
   double radius = 1;
 };
 
 /// The wall of an upright cylinder around the y axis, y from 0 to height, without floor and ceiling. Texture
-/// coordinates as on make_cylinder_wall: u once around from +x, counter-clockwise from above where the wall faces out,
-/// clockwise where it faces in; v up.
+/// coordinates as on make_cylinder_wall: u once around from +x, counter-clockwise from above if the wall faces out,
+/// clockwise if it faces in; v up.
 struct CylinderWall {
   double radius = 1, height = 1;
   bool inside = false;  ///< it faces the axis: a hall, not a column
 };
 
 /// The points centre + a half_u + b half_v, -1 <= a, b <= 1, facing half_u x half_v; u = (a + 1) / 2, v = (b + 1) / 2.
-/// The halves are square to each other.
+/// half_u and half_v are perpendicular.
 struct Rectangle {
   glm::dvec3 centre{0}, half_u{1, 0, 0}, half_v{0, 0, -1};
 };
 
 using Surface = std::variant<Sphere, CylinderWall, Rectangle>;
 
-/// A surface with its place in the world and its looks.
+/// A surface with its transform and material.
 struct Shape {
   Surface surface;
-  glm::dmat4 object_to_world{1};  ///< must be invertible; turns, stretches (a sphere becomes an ellipsoid), mirrors
+  glm::dmat4 object_to_world{1};  ///< must be invertible; may rotate, scale (a sphere becomes an ellipsoid) and mirror
   int material = 0;               ///< index into Scene::materials
   bool casts_shadow = true, receives_shadow = true;
 };
 
-/// A point of a surface in the surface's own space.
+/// A surface point in the surface's own space.
 struct ShapeHit {
   double t = 0;
   glm::dvec3 normal{0};  ///< of unit length, on the side that the surface faces
   glm::dvec2 texcoord{0};
 };
 
-/// The first point within the ray's stretch at which the surface is met, in the surface's own space. With
-/// `front_only`, points at which it faces away are passed through.
+/// The first intersection within the ray's interval, in the surface's own space. With `front_only`, back faces are
+/// ignored.
 std::optional<ShapeHit> intersect(const Surface& surface, const Ray& ray, bool front_only);
 
-/// A box around the shape in world space, a little larger than it, since points on it are rounded.
+/// A bounding box of the shape in world space, slightly enlarged to allow for rounding.
 Box3 bounds(const Shape& shape);
 
 }  // namespace atelier::oracle

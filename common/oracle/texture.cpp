@@ -7,10 +7,10 @@ namespace atelier::oracle {
 
 namespace {
 
-/// The texel that stands at place i of the endless row that `wrap` makes of `count` texels. As a double, whose whole
-/// numbers reach further than an int's.
+/// The texel at index i of the infinite row that `wrap` makes of `count` texels. i is a double, since it may exceed the
+/// range of int.
 int wrapped(double i, int count, Wrap wrap) {
-  // Where i is so large that its digits end before the point, rounding leads out of the period.
+  // For a very large i, rounding may give a result outside the period.
   const auto remainder = [&](double period) {
     return int(std::clamp(i - period * std::floor(i / period), 0.0, period - 1));
   };

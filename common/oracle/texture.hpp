@@ -1,4 +1,4 @@
-// The colour of a texture at a point. Not shrunk: where many texels fall into one pixel, many rays do.
+// The colour of a texture at a point, without mipmaps: supersampling replaces them.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,8 +8,8 @@
 namespace atelier::oracle {
 
 /// Red, green and blue at a texture coordinate, (0,0) being the lower left corner of the picture and (1,1) the upper
-/// right. Filter::nearest takes the texel that the point lies in; the others mix the four whose centres surround it
-/// (OpenGL 3.3 core specification, 3.8.8), in double precision. Beyond the picture it goes on as `wrap` says.
+/// right. Filter::nearest takes the texel that contains the point; the others interpolate the four texels around it
+/// (OpenGL 3.3 core specification, 3.8.8), in double precision. Outside the picture `wrap` applies.
 glm::dvec3 texel_colour(const Texture& texture, const glm::dvec2& texcoord);
 
 }  // namespace atelier::oracle

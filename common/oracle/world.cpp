@@ -12,7 +12,7 @@ namespace atelier::oracle {
 
 namespace {
 
-/// The upper left 3x3 block divided by its largest entry: products of entries then neither overflow nor vanish.
+/// The upper left 3x3 block divided by its largest entry: so that products of entries neither overflow nor underflow.
 glm::dmat3 scaled_block(const glm::dmat4& model) {
   glm::dmat3 m(model);
   double largest = 0;
@@ -21,8 +21,8 @@ glm::dmat3 scaled_block(const glm::dmat4& model) {
   return largest > 0 ? m * (1 / largest) : m;
 }
 
-/// Whether the model turns left hands into right ones. Volumes below 1e-13 of what the columns could span are what
-/// rounding leaves of a flat model, whose sign means nothing.
+/// Whether the model matrix mirrors. Relative volumes below 1e-13 are rounding errors of a flattened model, whose sign
+/// is meaningless.
 bool mirrors(const glm::dmat4& model) {
   const glm::dmat3 m = scaled_block(model);
   const double span = glm::length(m[0]) * glm::length(m[1]) * glm::length(m[2]);
@@ -34,8 +34,8 @@ glm::dvec3 unit_or_zero(const glm::dvec3& v) {
   return length > 0 ? v / length : glm::dvec3(0);
 }
 
-/// The normal in world space. A model that is flattened in two directions leaves nothing of some normals; then the
-/// normal stays as it was.
+/// The normal in world space. A model that is flattened in two directions maps some normals to zero; then the normal is
+/// not changed.
 glm::dvec3 world_normal(const glm::dmat3& normal_matrix, const glm::dvec3& normal) {
   const glm::dvec3 turned = normal_matrix * normal;
   return turned != glm::dvec3(0) ? glm::normalize(turned) : normal;
@@ -53,7 +53,7 @@ World::World(const Scene& scene, std::vector<Shape> shapes) : scene_(scene) {
   validate(scene);
   place_nodes();
   place_shapes(std::move(shapes));
-  grow_tree();
+  build_tree();
 }
 
 void World::place_nodes() {
@@ -90,7 +90,7 @@ void World::place_shapes(std::vector<Shape> shapes) {
   }
 }
 
-void World::grow_tree() {
+void World::build_tree() {
   std::vector<Box3> boxes;
   boxes.reserve(triangles_.size() + shapes_.size());
   for (const Triangle& triangle : triangles_) boxes.push_back(box_around(corners_of(triangle)));
@@ -101,15 +101,15 @@ void World::grow_tree() {
   tree_ = Bvh(boxes);
 }
 
-// ---- Asking it
+// ---- Queries
 
-/// t is the same in both spaces, since the direction is not made a unit vector.
+/// t is the same in both spaces, since the direction is not normalised.
 Ray World::ray_in_object_space(const PlacedShape& placed, const Ray& ray) const {
   return {glm::dvec3(placed.world_to_object * glm::dvec4(ray.origin, 1)),
           glm::dvec3(placed.world_to_object * glm::dvec4(ray.direction, 0)), ray.least, ray.most};
 }
 
-/// The nearest so far.
+/// The nearest hit so far.
 struct World::Found {
   double t;
   std::size_t thing = std::numeric_limits<std::size_t>::max();

@@ -1,4 +1,4 @@
-// A scene made ready for rays: every triangle and every shape in world space, in one tree of boxes.
+// A scene prepared for ray tracing: all triangles and shapes in world space, in one BVH.
 #pragma once
 
 #include <array>
@@ -13,51 +13,50 @@
 
 namespace atelier::oracle {
 
-/// What a ray sees: a point of a surface, ready to be shaded.
+/// A visible surface point, ready for shading.
 struct SurfacePoint {
-  double t = 0;               ///< where along the ray
-  glm::dvec3 position{0};     ///< world space, metres
-  glm::dvec3 normal{0};       ///< interpolated, of unit length, or zero where there is none; on two-sided materials it
-                              ///< is turned to the side that is seen
-  glm::dvec3 flat_normal{0};  ///< square to the triangle, of unit length, on the side that is seen
+  double t = 0;            ///< ray parameter
+  glm::dvec3 position{0};  ///< world space, metres
+  glm::dvec3 normal{0};    ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on
+                           ///< two-sided materials
+  glm::dvec3 flat_normal{0};  ///< geometric normal, of unit length, on the visible side
   glm::dvec2 texcoord{0};
   int material = 0;  ///< index into Scene::materials
-  int thing = 0;     ///< the node's index, or the number of nodes plus the shape's
+  int thing = 0;     ///< the node's index, or the number of nodes plus the shape's index
   bool receives_shadow = true;
 };
 
 class World {
  public:
-  /// Places the scene's nodes by world_matrices_exact, and the shapes beside them. Keeps a reference to the scene,
-  /// which must outlive the world. Throws Error as validate() does, and where a shape's matrix cannot be inverted or
-  /// its material is not one of the scene's.
+  /// Transforms the scene's nodes with world_matrices_exact, and adds the shapes. Keeps a reference to the scene, which
+  /// must outlive the world. Throws Error as validate() does, and if a shape's matrix cannot be inverted or its
+  /// material is not one of the scene's.
   explicit World(const Scene& scene, std::vector<Shape> shapes = {});
-  explicit World(Scene&& scene, std::vector<Shape> shapes = {}) = delete;  // it would not outlive the world
+  explicit World(Scene&& scene, std::vector<Shape> shapes = {}) = delete;  // a temporary would not outlive the world
 
   const Scene& scene() const { return scene_; }
 
-  /// The first point on the ray's stretch that is drawn there: faces that turn away are passed through unless their
-  /// material is two-sided. A mirrored node's faces turn as OpenGL's do when the winding is swapped for it. Of things
-  /// at one distance the first in the scene wins, as the depth test "less" has it.
+  /// The first visible point in the ray's interval: back faces are ignored unless their material is two-sided. For a
+  /// mirrored node front and back are as in OpenGL with the winding swapped. At equal distance the first in the scene
+  /// wins, as with the depth test GL_LESS.
   std::optional<SurfacePoint> seen(const Ray& ray) const;
 
-  /// Whether anything that casts shadows meets the ray's stretch, whichever way it faces.
+  /// Whether a shadow caster, front or back face, intersects the ray's interval.
   bool blocked(const Ray& ray) const;
 
-  // For many rays that go nearly the same way: first what any of them may meet, then ray by ray. A thing is a triangle
-  // or a shape, by its index: those of the triangles come first.
+  // For many rays in nearly the same direction: first find what any of them may hit, then test single rays. A thing is
+  // the index of a triangle or, after all triangles, of a shape.
 
-  /// The things that cast shadows and that a ray of the beam may meet: all that any does, and few others.
+  /// The shadow casters that a ray of the beam may hit: conservative, with few false positives.
   std::vector<std::uint32_t> casters_in(const Beam& beam) const;
-  /// Whether a ray of the beam may meet the thing; false only where none does.
+  /// Whether a ray of the beam may hit the thing; false only if none does.
   bool may_meet(const Beam& beam, std::uint32_t thing) const;
-  /// Whether the thing meets the ray's stretch, whichever way it faces.
+  /// Whether the thing, front or back face, intersects the ray's interval.
   bool meets(const ShearedRay& ray, std::uint32_t thing) const;
-  /// Whether a ray between others from the same point that the thing meets is met by it, too: true of all that is flat
-  /// and convex.
+  /// Whether the thing is planar and convex: if it blocks rays from one point, it also blocks all rays between them.
   bool fills_between(std::uint32_t thing) const;
 
-  /// The largest |coordinate| of anything in it, metres; 0 where there is nothing.
+  /// The largest |coordinate| in it, metres; 0 if it is empty.
   double reach() const { return reach_; }
   std::size_t triangle_count() const { return triangles_.size(); }
   const Bvh& tree() const { return tree_; }
@@ -75,13 +74,13 @@ class World {
     Shape shape;
     glm::dmat4 world_to_object;
     glm::dmat3 normal_matrix;
-    Box3 box;  ///< around it, world space
+    Box3 box;  ///< bounding box, world space
   };
   struct Found;
 
   void place_nodes();
   void place_shapes(std::vector<Shape> shapes);
-  void grow_tree();
+  void build_tree();
   bool casts_shadow(std::uint32_t thing) const;
   std::array<glm::dvec3, 3> corners_of(const Triangle& triangle) const;
   Ray ray_in_object_space(const PlacedShape& placed, const Ray& ray) const;
@@ -96,9 +95,9 @@ class World {
   Bvh tree_;  ///< over the triangles, then the shapes
 };
 
-/// The matrix that takes normals along with a surface: sign(det M) cofactor(M) of the upper left 3x3 block, scaled so
-/// that its entries stay finite. Equals the inverse transpose up to a positive factor, and is there for flattened
-/// models too. A determinant that is nothing but rounding counts as zero, and zero as positive.
+/// The normal matrix: sign(det M) cofactor(M) of the upper left 3x3 block, scaled so that its entries stay finite.
+/// Equals the inverse transpose up to a positive factor, and also exists for flattened models. A determinant within
+/// rounding error counts as zero, and zero as positive.
 glm::dmat3 normal_matrix_exact(const glm::dmat4& model);
 
 }  // namespace atelier::oracle

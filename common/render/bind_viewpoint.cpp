@@ -4,7 +4,7 @@ namespace atelier {
 
 namespace {
 
-/// The plane of a view in the space that shaders call world.
+/// A view's clip plane in the shaders' world space.
 glm::vec4 moved_plane(const glm::dvec4& plane, const glm::dvec3& origin) {
   return glm::vec4(glm::dvec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), origin)));
 }

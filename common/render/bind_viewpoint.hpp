@@ -1,4 +1,4 @@
-// What every program that draws nodes for a view is told of it.
+// The uniforms of a view.
 #pragma once
 
 #include "render/binder.hpp"
@@ -6,7 +6,7 @@
 
 namespace atelier {
 
-/// Sets u_view, u_projection, u_eye_world and, where the view is clipped, u_clip_plane.
+/// Sets u_view, u_projection, u_eye_world and, if the view has a clip plane, u_clip_plane.
 void bind_viewpoint(Binder& binder, const Viewpoint& viewpoint);
 
 }  // namespace atelier

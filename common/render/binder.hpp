@@ -8,7 +8,7 @@
 
 namespace atelier {
 
-/// Sets the uniforms and textures of the program that is about to draw. Owns the texture units.
+/// Sets uniforms and textures of the current program, and assigns the texture units.
 class Binder {
  public:
   Binder(Gl& gl, Uniforms& uniforms) : gl_(gl), uniforms_(uniforms) {}

@@ -1,4 +1,4 @@
-// What happens to a picture after the scene is drawn: a list of passes, each of which makes a picture of pictures.
+// Post-processing: a chain of passes, each of which computes a picture from pictures.
 #pragma once
 
 #include <cstdint>
@@ -14,37 +14,37 @@
 
 namespace atelier {
 
-/// A picture of 8 bits a channel: red, green, blue, alpha; row 0 on top; colours encoded to sRGB.
+/// A picture of 8 bits per channel: red, green, blue, alpha; row 0 on top; colours encoded to sRGB.
 struct ByteImage {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
 };
 
-/// Outputs that a pass of the CPU reads beside the picture, by name.
+/// Additional outputs that a CPU pass reads, by name.
 using PassInputs = std::map<std::string, Image>;
 
-/// One pass: a shader, or a function of the CPU.
+/// One pass: a shader or a CPU function.
 struct ChainPass {
-  std::string name;                ///< its output: what the chain has made up to here
-  std::vector<std::string> reads;  ///< outputs of the view beside the picture ("depth", "normal"): drawn only then;
-                                   ///< "colour" is what the scene itself was before the first pass
-  bool identity = false;           ///< changes no pixel: it is not run
+  std::string name;                ///< its output: the chain's result after this pass
+  std::vector<std::string> reads;  ///< additional outputs of the view ("depth", "normal"), drawn only if listed;
+                                   ///< "colour" is the scene before the first pass
+  bool identity = false;           ///< changes no pixel, so it is skipped
 
-  // As a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may
-  // read u_picture, what the pass before it has made; u_NAME for each of `reads`; u_size, pixels (vec2).
+  // For a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may
+  // read u_picture, the result of the previous pass; u_NAME for each of `reads`; u_size, pixels (vec2).
   SlotCode code;
   Defines structure;                       ///< #defines
   std::function<void(Binder&)> bind = {};  ///< sets its own uniforms
 
-  // Or as a function of the CPU, in place: on linear floats, or on 8-bit codes (which clamp to 0..1).
+  // For a CPU function, in place: on linear floats, or on 8-bit codes (which clamp to 0..1).
   std::function<void(Image& picture, const PassInputs& inputs)> on_floats = {};
   std::function<void(ByteImage& picture, const PassInputs& inputs)> on_bytes = {};
 };
 
-/// What a step teaches of chains, as the renderer calls it.
+/// The functions of step 08 that the renderer calls.
 struct ChainFunctions {
-  /// A chain draws into two targets by turns. Which of them, 0 or 1, is drawn into by a pass that reads `source`; -1:
-  /// it reads the scene's own.
+  /// A chain alternates between two targets. Returns the target, 0 or 1, of a pass that reads `source`; -1 is the
+  /// scene's own target.
   int (*next_target)(int source) = nullptr;
   /// Draws one triangle that covers every pixel, with the program in use: corners 0, 1, 2, and no attributes.
   void (*draw_full_screen)(Gl& gl) = nullptr;

@@ -41,7 +41,7 @@ Image image_of(const ByteImage& bytes, const ChainPass& pass) {
   return image;
 }
 
-/// A pass that changes nothing: what a picture of the CPU reaches the target by.
+/// A pass that copies: for a CPU pass's result to the target.
 ChainPass copy_pass() {
   return {.name = "copy", .code = {"chain_copy.glsl", "copied"}};
 }
@@ -60,11 +60,11 @@ std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::s
   return passes;
 }
 
-/// What the passes read and draw into.
+/// The textures that passes read and the targets that they draw into.
 struct ChainRunner::Pictures {
   std::shared_ptr<const Target> scene;
-  TargetSpec turn;                                              ///< of the two that passes draw into by turns
-  std::array<std::shared_ptr<const Target>, 2> turns;           ///< once they are needed
+  TargetSpec turn;                                              ///< of the two alternating targets
+  std::array<std::shared_ptr<const Target>, 2> turns;           ///< created when needed
   std::map<std::string, std::shared_ptr<const Target>> inputs;  ///< by the name of the output
 };
 
@@ -127,7 +127,7 @@ void ChainRunner::run_on_cpu(const ChainPass& pass, const Pictures& pictures, co
     pass.on_floats(picture, inputs);
   }
   if (glm::ivec2(picture.width(), picture.height()) != size)
-    throw Error(fmt::format("pass '{}' has made {}x{} pixels of {}x{}: a pass keeps the size", pass.name,
+    throw Error(fmt::format("pass '{}' returned {}x{} pixels for {}x{}: a pass must keep the size", pass.name,
                             picture.width(), picture.height(), size.x, size.y));
   write_colour(gl_, target, picture);
 }
@@ -135,7 +135,7 @@ void ChainRunner::run_on_cpu(const ChainPass& pass, const Pictures& pictures, co
 void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, const Target& target,
                       const DrawOutput& draw) {
   if (!functions_.next_target || !functions_.draw_full_screen || functions_.glsl.empty())
-    throw Error("a chain of passes needs the functions of step 08: this program hands none to the renderer");
+    throw Error("a chain of passes needs the functions of step 08, which this program does not pass to the renderer");
   std::vector<ChainPass> passes = given;
   if (on_cpu(passes.back())) passes.push_back(copy_pass());
   Pictures pictures = draw_scene(passes, format, target, draw);

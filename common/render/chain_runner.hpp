@@ -1,4 +1,4 @@
-// Runs the chain of a view: passes over targets that are drawn into by turns.
+// Runs the post-processing chain of a view, with two alternating targets.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace atelier {
 
-/// The passes of a chain that must run for an output: those up to the one of this name, all for "colour"; without those
-/// that change nothing. None for any other output.
+/// The passes that must run for an output: those up to the pass of this name, or all for "colour"; without identity
+/// passes. None for any other output.
 std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::string& output);
 
 /// Whether the chain has a pass of this name.
@@ -20,16 +20,16 @@ bool has_pass(const std::vector<ChainPass>& passes, const std::string& output);
 
 class ChainRunner {
  public:
-  /// `functions` may be empty where no chain is ever run. All must outlive this.
+  /// `functions` may be empty if no chain is ever run. All must outlive this.
   ChainRunner(Gl& gl, Programs& programs, TargetPool& pool, const ChainFunctions& functions)
       : gl_(gl), programs_(programs), pool_(pool), functions_(functions) {}
 
   /// Draws an output of the view into a target.
   using DrawOutput = std::function<void(const std::string& output, const Target& target)>;
 
-  /// Draws the scene and runs the passes over it, the last of them into `target`. At least one pass. Pictures between
-  /// passes have `format`, what passes read beside them is in 32-bit floats. Throws Error where step 08's functions are
-  /// missing or answer with what is no target.
+  /// Draws the scene and runs the passes (at least one), the last of them into `target`. Pictures between passes have
+  /// `format`; additional outputs are 32-bit floats. Throws Error if step 08's functions are missing or return an
+  /// invalid target.
   void run(const std::vector<ChainPass>& passes, ColourFormat format, const Target& target, const DrawOutput& draw);
 
  private:

@@ -1,18 +1,18 @@
-// What a renderer has done for a frame beyond calling OpenGL.
+// The renderer's counts for a frame, beside those of OpenGL calls.
 #pragma once
 
 #include <cstdint>
 
 namespace atelier {
 
-/// Of one frame. What OpenGL was asked for stands in GlCounts.
+/// For one frame. GlCounts has the counts of OpenGL calls.
 struct SceneCounts {
-  std::int64_t nodes = 0;          ///< with a mesh: what there is to draw, in all views together
-  std::int64_t nodes_culled = 0;   ///< of those, left out because they are outside the view
+  std::int64_t nodes = 0;          ///< with a mesh, in all views together
+  std::int64_t nodes_culled = 0;   ///< of those, skipped because they are outside the view
   std::int64_t matrices = 0;       ///< world and normal matrices computed
-  std::int64_t lights = 0;         ///< that the shaders add up for each point
-  std::int64_t lookups = 0;        ///< of texels of shadow maps, for each point, in the maps of all lights
-  std::int64_t lights_culled = 0;  ///< of the scene's others, left out because they cannot be seen to matter
+  std::int64_t lights = 0;         ///< summed by the shaders for each point
+  std::int64_t lookups = 0;        ///< shadow map texels read for each point, in the maps of all lights
+  std::int64_t lights_culled = 0;  ///< of the scene's others, skipped because they are too weak to be visible
 };
 
 }  // namespace atelier

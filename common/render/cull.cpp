@@ -7,9 +7,9 @@ namespace atelier {
 
 namespace {
 
-/// How far floats may be off after three products of a matrix and a column, as a share of the sum of the terms'
-/// magnitudes: each takes four roundings of 2^-24, which makes 12 * 6e-8 = 7.2e-7 (Higham, "Accuracy and Stability of
-/// Numerical Algorithms", section 3.5). Multiplying the matrices first comes to the same.
+/// Float error bound of three matrix-vector products, relative to the sum of the terms' magnitudes: each has four
+/// rounding errors of 2^-24, together 12 * 6e-8 = 7.2e-7 (Higham, "Accuracy and Stability of Numerical Algorithms",
+/// section 3.5). Multiplying the matrices first has the same bound.
 constexpr double rounding = 1e-6;
 
 glm::dmat4 magnitudes(const glm::mat4& m) {
@@ -22,11 +22,11 @@ bool outside_view(const glm::mat4& projection, const glm::mat4& view, const glm:
                   bool depth_from_zero) {
   if (box.empty()) return true;
   const glm::dmat4 to_clip = glm::dmat4(projection) * glm::dmat4(view) * glm::dmat4(model);
-  // The sums of magnitudes: what the shader adds up, without what cancels.
+  // The sums of magnitudes of the terms that the shader adds, without cancellation.
   const glm::dmat4 to_largest = magnitudes(projection) * magnitudes(view) * magnitudes(model);
-  // The planes -w <= x, x <= w ... are linear in clip space, so a plane that has all corners of a box outside has all
-  // of the box outside, wherever the eye is: no division by w, which may be zero or negative. So too with
-  // the slack: as a sum of magnitudes it is, between the corners, at most the mean of theirs.
+  // The planes -w <= x, x <= w ... are linear in clip space: if all corners of a box are outside a plane, the whole box
+  // is, wherever the eye is. There is no division by w, which may be zero or negative. The slack is a convex function
+  // (a sum of magnitudes), so between the corners it is at most the mean of theirs.
   std::array<bool, 6> all_outside;
   all_outside.fill(true);
   for (const glm::dvec3& corner : corners_of(box)) {

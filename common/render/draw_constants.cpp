@@ -23,14 +23,14 @@ std::vector<std::string> subscripts(const std::string& type) {
   return all;
 }
 
-/// The length of an array, 0 where it is not there; 1 of what is none.
+/// The length of an array, 0 if it does not exist; 1 if it is not an array.
 int elements(const DrawConstant& constant, const Defines& structure) {
   if (constant.count.empty()) return 1;
   const auto found = structure.find(constant.count);
   return found != structure.end() ? std::stoi(found->second) : 0;
 }
 
-/// What an element consists of: itself, where it is no struct.
+/// The members of an element: itself, if it is not a struct.
 std::vector<DrawConstant::Member> parts(const DrawConstant& constant) {
   if (constant.members.empty()) return {{constant.type, ""}};
   return constant.members;
@@ -45,8 +45,8 @@ int components(const DrawConstant& constant, const Defines& structure) {
 /// Fills the vec4s, component by component.
 class Packer {
  public:
-  /// Takes the next components for a constant: the vertex stage's statements that set them are added to `statements`.
-  /// Returns the constant's value as the fragment stage puts it together again.
+  /// Assigns the next components to a constant and adds the vertex stage's statements that set them to `statements`.
+  /// Returns the GLSL expression with which the fragment stage rebuilds the constant.
   std::string pack(const DrawConstant& constant, const Defines& structure, std::string& statements);
   std::string array() const { return fmt::format("vec4 v_constants[{}];\n", (taken_ + 3) / 4); }
 
@@ -57,7 +57,7 @@ class Packer {
   int taken_ = 0;
 };
 
-/// `items` with commas between them, in brackets behind a constructor's name.
+/// A constructor call with these arguments.
 std::string constructed(const std::string& constructor, const std::vector<std::string>& items) {
   std::string text = constructor + "(";
   for (const std::string& item : items) text += (&item == &items.front() ? "" : ", ") + item;
@@ -97,7 +97,7 @@ std::string struct_declaration(const DrawConstant& constant) {
   return text + " };\n";
 }
 
-/// "uniform vec3 u_ambient": all but an array's length.
+/// "uniform vec3 u_ambient": the declaration without an array's length.
 std::string uniform_head(const DrawConstant& constant) {
   return fmt::format("uniform {} {}", constant.type, constant.name);
 }
@@ -105,22 +105,22 @@ std::string uniform_head(const DrawConstant& constant) {
 }  // namespace
 
 std::vector<DrawConstant> constants_that_fit(std::span<const DrawConstant> constants, const Defines& structure,
-                                             int room) {
+                                             int available) {
   std::vector<DrawConstant> fitting;
   for (const DrawConstant& constant : constants) {
     const int size = components(constant, structure);
     const bool known = std::ranges::any_of(fitting, [&](const DrawConstant& c) { return c.name == constant.name; });
-    if (known || size == 0 || size > room) continue;
-    room -= size;
+    if (known || size == 0 || size > available) continue;
+    available -= size;
     fitting.push_back(constant);
   }
   return fitting;
 }
 
-HandingOver hand_over(std::span<const DrawConstant> constants, const Defines& structure,
-                      const std::string& vertex_text) {
+PassedConstants pass_as_varyings(std::span<const DrawConstant> constants, const Defines& structure,
+                                 const std::string& vertex_text) {
   if (constants.empty()) return {};
-  HandingOver glsl;
+  PassedConstants glsl;
   const auto declare = [&](const std::string& text) {
     if ((vertex_text + glsl.vertex_declarations).find(text) == std::string::npos) glsl.vertex_declarations += text;
   };
@@ -137,13 +137,13 @@ HandingOver hand_over(std::span<const DrawConstant> constants, const Defines& st
   return glsl;
 }
 
-void make_global(ShaderSource& fragment, const HandingOver& glsl) {
+void make_global(ShaderSource& fragment, const PassedConstants& glsl) {
   for (const auto& [declared, value] : glsl.globals) {
     const std::size_t line = fragment.text.find("\n" + declared);
     const std::size_t end = fragment.text.find(';', line);
     if (line == std::string::npos || end == std::string::npos)
-      throw Error(fmt::format(
-          "a constant to be handed over as a varying must be declared by a line that begins with: {}", declared));
+      throw Error(fmt::format("a constant that is passed as a varying must be declared by a line that begins with: {}",
+                              declared));
     fragment.text.insert(end, " = " + value);
     fragment.text.erase(line + 1, std::string_view("uniform ").size());
   }

@@ -1,4 +1,4 @@
-// The features of a renderer, in the order in which they are asked.
+// The features of a renderer, in the order in which they are called.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace atelier {
 
 class FeatureList {
  public:
-  /// Makes a feature behind all others; it stays where it is as long as the renderer, so that later ones may hold
-  /// references to what it hands out.
+  /// Constructs a feature at the end of the list. Its address stays valid for the renderer's lifetime, so later
+  /// features may keep references to its data.
   template <class F, class... Arguments>
   F& add(Arguments&&... arguments) {
     auto feature = std::make_unique<F>(std::forward<Arguments>(arguments)...);
@@ -21,7 +21,7 @@ class FeatureList {
     return added;
   }
 
-  /// Hands all of them over.
+  /// Moves all features out.
   std::vector<std::unique_ptr<Feature>> take() { return std::move(features_); }
 
  private:

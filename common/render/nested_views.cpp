@@ -1,4 +1,4 @@
-// Views inside views: what Renderer does for ScenePainter::draw_view_inside.
+// Nested views: implements ScenePainter::draw_view_inside.
 #include <fmt/core.h>
 
 #include "gl/debug.hpp"
@@ -8,7 +8,7 @@
 
 namespace atelier {
 
-/// Draws the surface of an opening in one colour, as it stands in the view around.
+/// Draws the surface of an opening in one colour, in the enclosing view.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
   PassSources pass{.name = "opening",
                    .vertex =
@@ -35,9 +35,10 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
     throw Error(fmt::format("a view inside another needs a stencil buffer, and the target has none ({})",
                             to_string(target.spec())));
   if (level >= most_levels)
-    throw Error(fmt::format("views are nested {} deep: a stencil buffer of 8 bits counts no further", level));
+    throw Error(fmt::format("views are nested {} deep: an 8-bit stencil buffer allows no more", level));
   if (!functions.begin_mark || !functions.begin_restore)
-    throw Error("a view inside another needs the functions of step 07: this program hands none to the renderer");
+    throw Error(
+        "a view inside another needs the functions of step 07, which this program does not pass to the renderer");
   view.parent = &around.view;
   view.stencil_level = level + 1;
 
@@ -46,7 +47,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   functions.begin_mark(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
 
-  // The farthest depth and the background in what is marked.
+  // Clear the marked pixels to the farthest depth and the background.
   set_bounds(around, target);
   gl_.Enable(GL_STENCIL_TEST);
   gl_.StencilFunc(GL_EQUAL, level + 1, 0xff);
@@ -57,7 +58,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
 
   draw_scene(view, target);
 
-  // A view in a moved world has placed the nodes anew.
+  // A view with another origin has recomputed the nodes' matrices.
   counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
   set_bounds(around, target);
   functions.begin_restore(gl_, level);

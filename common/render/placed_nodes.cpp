@@ -11,7 +11,7 @@ PlacedNodes::PlacedNodes(Gl& gl, const TransformFunctions& transforms, const Sce
                          const std::vector<std::vector<glm::vec4>>& tangents)
     : gl_(gl), transforms_(transforms), scene_(scene) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) meshes_.push_back(upload(scene.meshes[i], tangents[i]));
-  check_gl_error(gl_, "upload_mesh");  // now, or it would be told of where nothing is wrong
+  check_gl_error(gl_, "upload_mesh");  // check here, so that an error is reported in the right place
 }
 
 PlacedNodes::UploadedMesh PlacedNodes::upload(const Mesh& mesh, const std::vector<glm::vec4>& tangents) const {
@@ -41,7 +41,7 @@ PlacedNodes::UploadedMesh PlacedNodes::upload(const Mesh& mesh, const std::vecto
 }
 
 glm::mat4 PlacedNodes::local_matrix(const Node& node, const Placement& placement) const {
-  // Only roots stand in world space: what hangs below them is near its parent and needs no double precision.
+  // Only roots are in world space: other nodes are close to their parent and need no double precision.
   const bool move = node.parent < 0 && placement.camera_relative;
   if (node.matrix) {
     glm::mat4 local = *node.matrix;

@@ -1,4 +1,4 @@
-// The nodes of a scene in OpenGL's memory and in the world: meshes uploaded once, matrices computed when they change.
+// A scene's nodes, ready to draw: meshes are uploaded once, matrices computed when they change.
 #pragma once
 
 #include <optional>
@@ -16,18 +16,18 @@ class PlacedNodes {
   PlacedNodes(Gl& gl, const TransformFunctions& transforms, const Scene& scene,
               const std::vector<std::vector<glm::vec4>>& tangents);
 
-  /// To be called where nodes have moved.
+  /// Call it when nodes have moved.
   void moved() { placed_for_.reset(); }
 
-  /// Computes all matrices for views that subtract `origin` from the world, if they are not there; returns how many it
-  /// has computed. Throws Error where step 01's functions answer with another number of matrices.
+  /// Computes all matrices for views that subtract `origin` from the world, unless they are up to date; returns how
+  /// many it has computed. Throws Error if step 01's functions return another number of matrices.
   int place(bool camera_relative, const glm::dvec3& origin);
 
   /// Every node with a mesh.
   const std::vector<ScenePainter::Item>& items() const { return items_; }
 
-  /// Draws the mesh of an item with the program in use. A model that mirrors turns its triangles round: `mirrored` says
-  /// whether the view does so, too.
+  /// Draws the mesh of an item with the current program. A mirroring model matrix flips the winding; `mirrored` says
+  /// whether the view does too.
   void draw(const ScenePainter::Item& item, bool mirrored) const;
 
  private:
@@ -37,7 +37,7 @@ class PlacedNodes {
     GLsizei count = 0;
     Box3 box;  ///< object space
   };
-  /// What the matrices depend on beside the scene.
+  /// What the matrices depend on, beside the scene.
   struct Placement {
     bool camera_relative = false;
     glm::dvec3 origin{0};
@@ -52,7 +52,7 @@ class PlacedNodes {
   const Scene& scene_;
   std::vector<UploadedMesh> meshes_;
   std::vector<ScenePainter::Item> items_;
-  std::optional<Placement> placed_for_;  ///< for which `items_` is right
+  std::optional<Placement> placed_for_;  ///< the placement for which `items_` was computed
 };
 
 }  // namespace atelier

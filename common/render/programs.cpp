@@ -12,10 +12,10 @@ namespace atelier {
 
 namespace {
 
-/// Where the renderer's own shader files are: set by the build, as an absolute path.
+/// The folder of the renderer's own shader files: an absolute path, set by the build.
 const std::filesystem::path own_shaders = ATELIER_RENDER_SHADERS;
 
-/// When each of the files that stages were put together from was last changed.
+/// The modification time of each file that the stages include.
 std::map<std::filesystem::path, std::filesystem::file_time_type> changes_of(
     std::initializer_list<const ShaderSource*> stages) {
   std::map<std::filesystem::path, std::filesystem::file_time_type> files;
@@ -51,7 +51,7 @@ Programs::Programs(Gl& gl, Implementations implementations, std::string transfor
 
 std::filesystem::path Programs::find(const std::string& name) const {
   if (const auto found = implementations_.find(name); !found.empty()) return found;
-  // Ours are found by the same rule: no name leads out of the folder, into files that are not for shaders to read.
+  // Use the same rule for our own files: no name may lead out of the folder.
   return Implementations({{own_shaders, ""}}).find(name);
 }
 
@@ -109,7 +109,7 @@ Program& Programs::chain_pass(const ChainKey& key) {
   return kept(chain_, key)->second;
 }
 
-/// Whether one has changed; `words` are the driver's where it refused one.
+/// Whether one has changed; `words` gets the driver's log if it rejected one.
 template <class Key>
 bool Programs::reload_changed(std::map<Key, Program>& programs, std::string& words) const {
   bool any = false;

@@ -1,4 +1,4 @@
-// The programs that scenes are drawn with: built when first asked for, kept, and built anew when their files change.
+// Shader programs: built on first use, cached, and rebuilt when their files change.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +19,7 @@ struct Program {
   std::map<std::filesystem::path, std::filesystem::file_time_type> files;  ///< when each was last changed
 };
 
-/// What tells the programs of a chain's passes from each other.
+/// The cache key of a chain pass's program.
 struct ChainKey {
   SlotCode code;
   std::vector<std::string> reads;
@@ -30,12 +30,12 @@ struct ChainKey {
 
 class Programs {
  public:
-  /// Shaders are found along `implementations`, then among the renderer's own. `transforms_glsl` is the include behind
+  /// Shaders are searched in `implementations`, then among the renderer's own. `transforms_glsl` is the include behind
   /// TransformFunctions::glsl.
   Programs(Gl& gl, Implementations implementations, std::string transforms_glsl);
 
-  /// A program and the key that it is kept under, which stays where it is. Each throws ShaderError with the author's
-  /// file and line.
+  /// A program and its cache key, whose addresses stay valid. The functions throw ShaderError with source file and
+  /// line.
   struct Surface {
     const SurfaceKey& key;
     Program& program;
@@ -45,10 +45,10 @@ class Programs {
   Program& chain_pass(const ChainKey& key);
 
   struct Reloaded {
-    bool passes = false;  ///< one that features draw with for themselves
-    std::string words;    ///< the driver's, where it refused one: the old one stays
+    bool passes = false;  ///< a program that a feature draws with
+    std::string words;    ///< the driver's log if it rejected one: the old program stays
   };
-  /// Builds anew every program one of whose files has changed.
+  /// Rebuilds every program with a changed file.
   Reloaded reload_changed();
 
  private:
@@ -64,7 +64,7 @@ class Programs {
   Gl& gl_;
   Implementations implementations_;
   std::string transforms_glsl_;
-  int varyings_;  ///< how many components the driver has room for
+  int varyings_;  ///< the driver's limit of varying components
   std::map<SurfaceKey, Program> surfaces_;
   std::map<PassSources, Program> passes_;
   std::map<ChainKey, Program> chain_;

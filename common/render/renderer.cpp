@@ -13,12 +13,12 @@ namespace atelier {
 
 namespace {
 
-/// Whether clip space has depths from 0 to w instead of from -w to w.
+/// Whether clip space depths are from 0 to w instead of from -w to w.
 bool depth_from_zero(const View& view) {
   return view.reversed_depth && view.camera.projection == Projection::perspective;
 }
 
-/// The outermost view around one, or itself.
+/// The outermost enclosing view, or the view itself.
 const View& outermost(const View& view) {
   return view.parent ? outermost(*view.parent) : view;
 }
@@ -49,7 +49,7 @@ void Renderer::take_lights() {
   for (auto& feature : features_) feature->take_lights(lights_);
 }
 
-void Renderer::tell_moved() {
+void Renderer::notify_moved() {
   if (!scene_) return;
   take_lights();
   for (auto& feature : features_) feature->moved(*scene_);
@@ -58,11 +58,11 @@ void Renderer::tell_moved() {
 
 void Renderer::nodes_moved() {
   if (nodes_) nodes_->moved();
-  tell_moved();
+  notify_moved();
 }
 
 void Renderer::lights_moved() {
-  tell_moved();
+  notify_moved();
 }
 
 void Renderer::prepare(const Scene& scene) {
@@ -92,7 +92,7 @@ bool Renderer::needs_stencil() const {
 
 std::string Renderer::reload_changed_shaders() {
   const Programs::Reloaded reloaded = programs_.reload_changed();
-  if (reloaded.passes) tell_moved();  // what was drawn with the old ones must not be kept
+  if (reloaded.passes) notify_moved();  // discard what was drawn with the old programs
   return reloaded.words;
 }
 
@@ -112,7 +112,7 @@ SurfaceKey Renderer::key_for(const View& view, const Node& node, const ViewKind&
   return key;
 }
 
-/// What each item is drawn with: found once, and again where the answers of features may have changed.
+/// The program of each item: computed once, and again when the features' structure may have changed.
 const std::vector<Renderer::Variant>& Renderer::variants(const View& view, const Target& target) {
   std::uint64_t version = 0;
   for (const auto& feature : features_) version += feature->structure_version();
@@ -151,7 +151,7 @@ Viewpoint Renderer::look(const View& view, const TargetSpec& target) const {
     projection = *view.projection;
   } else if (camera.projection == Projection::orthographic) {
     const float top = camera.height / 2, right = top * aspect;
-    // Reversed: the planes change places. Depth is even between them, so nothing is gained by a range from 0 to 1.
+    // Reversed: swap the planes. Orthographic depth is linear, so a range from 0 to 1 would gain nothing.
     const float first = view.reversed_depth ? camera.far : camera.near,
                 last = view.reversed_depth ? camera.near : camera.far;
     projection = transforms_.orthographic(-right, right, -top, top, first, last);
@@ -178,7 +178,7 @@ glm::vec3 Renderer::background(const View& view) const {
   return colour;
 }
 
-/// OpenGL's state for the nodes of a view: depth, and what bounds it. Everything else is as usual.
+/// Sets depth state and the view's bounds; everything else has its default state.
 void Renderer::set_bounds(const Viewpoint& viewpoint, const Target& target) {
   const View& view = viewpoint.view;
   reset_state(gl_);
@@ -205,7 +205,7 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   if (view.reversed_depth && !gl_.ClipControl.call)
     throw Error("reversed depth needs glClipControl (OpenGL 4.5 or ARB_clip_control), which this driver lacks");
   set_bounds(viewpoint, target);
-  if (!view.parent) {  // otherwise what is there belongs to the view around
+  if (!view.parent) {  // otherwise the pixels belong to the enclosing view
     const glm::vec3 colour = background(view);
     gl_.ClearColor(colour.r, colour.g, colour.b, 1);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (has_stencil(target.spec()) ? GL_STENCIL_BUFFER_BIT : 0));
@@ -213,11 +213,11 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
   transforms_.set_wireframe(gl_, view.wireframe);
 }
 
-/// What the draws of one view leave for the next one.
+/// State shared by consecutive draws of a view.
 struct Renderer::Drawing {
   const Viewpoint& viewpoint;
   const Program* program = nullptr;  ///< in use
-  std::optional<Binder> bound;       ///< has set what is the same for all its draws; a material's textures come behind
+  std::optional<Binder> bound;       ///< has set the view's uniforms; a material's textures use the next units
 };
 
 void Renderer::use(const Variant& variant, Drawing& drawing) {
@@ -270,10 +270,10 @@ bool Renderer::drawn_instead(const View& view, const Target& target) {
 void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
-  mirrored_ = false;  // of this view, not of what is drawn before it
+  mirrored_ = false;  // of this view, not of one that draw_before has drawn
   for (const auto& feature : features_) {
     reset_state(gl_);
-    target.bind(gl_);  // a pass that forgets its viewport or its framebuffer must do so the same way every time
+    target.bind(gl_);  // so that a pass that forgets to set viewport or framebuffer behaves the same every time
     feature->draw_before(gl_, *scene_, viewpoint, *this);
   }
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);

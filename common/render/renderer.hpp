@@ -1,4 +1,4 @@
-// Draws scenes with the features that they require. Sole owner of the programs and buffers that this takes.
+// Draws scenes with the features that they need. Owns the programs and buffers.
 #pragma once
 
 #include <map>
@@ -16,56 +16,55 @@
 
 namespace atelier {
 
-/// What is asked of the drawing itself, and not of a feature.
+/// Options of the renderer itself.
 struct RenderOptions {
-  std::optional<ColourFormat> chain_format = {};  ///< of pictures between two passes; none: the target's
-  bool constants_as_varyings = false;             ///< not as uniforms: DrawConstant
+  std::optional<ColourFormat> chain_format = {};  ///< of pictures between two passes; none: the target's format
+  bool constants_as_varyings = false;             ///< instead of uniforms: DrawConstant
 };
 
 class Renderer : private ScenePainter {
  public:
-  /// Shaders are found along `implementations`, then among the renderer's own. `chain` is what runs the passes of
-  /// features that have some.
+  /// Shaders are searched in `implementations`, then among the renderer's own. `chain` runs the passes of features.
   Renderer(Gl& gl, Implementations implementations, TransformFunctions transforms,
            std::vector<std::unique_ptr<Feature>> features, ChainFunctions chain = {});
 
-  /// Hands the settings to every feature.
+  /// Passes the settings to every feature.
   void configure(const Settings& settings, const RenderOptions& options = {});
 
-  /// Uploads what the scene needs, once; frees what the scene before it needed. The scene must outlive its drawing.
+  /// Uploads the scene, and frees the previous one. The scene must outlive its drawing.
   void prepare(const Scene& scene);
 
-  /// To be called where nodes of the prepared scene have moved: matrices are computed once and kept until then (or,
-  /// where the view is camera-relative, until the eye moves).
+  /// Call it when nodes of the prepared scene have moved: matrices are cached until then (or, in a camera-relative
+  /// view, until the eye moves).
   void nodes_moved();
-  /// To be called where lights of the prepared scene have moved or changed.
+  /// Call it when lights of the prepared scene have moved or changed.
   void lights_moved();
 
   /// Whether targets for the prepared scene need a stencil buffer.
   bool needs_stencil() const;
 
-  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. In a target of
-  /// 8 bits a colour that is no number or infinite becomes magenta, as a window shows it: the format would hide it.
-  /// Throws ShaderError with the author's file and line, Error where the view asks what the driver or the target lacks.
+  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. In an 8-bit
+  /// target a NaN or infinite colour becomes magenta, as in a window: the format cannot store it. Throws ShaderError
+  /// with source file and line, and Error if the view needs something that the driver or the target does not have.
   void render(const View& view, const Target& target);
 
   const SceneCounts& counts() const { return counts_; }  ///< of the last frame
 
-  /// Builds anew every program one of whose files has changed. Where one cannot be built, the old one stays and the
-  /// driver's words are returned; otherwise an empty string.
+  /// Rebuilds every program with a changed file. If one cannot be built, keeps the old one and returns the driver's
+  /// log; otherwise returns an empty string.
   std::string reload_changed_shaders();
 
  private:
-  /// What an item is drawn with in views of one kind; no program: it is left out.
+  /// The program of an item in views of one kind; null: not drawn.
   struct Variant {
     const SurfaceKey* key = nullptr;
     Program* program = nullptr;
   };
-  /// Views of one kind ask for the same programs.
+  /// Views of the same kind use the same programs.
   struct ViewKind {
     std::string output;
     bool clipped = false;
-    bool marks_non_finite = false;  ///< the target's format would hide NaN and infinity
+    bool marks_non_finite = false;  ///< the target's format cannot store NaN and infinity
     auto operator<=>(const ViewKind&) const = default;
   };
   struct Drawing;
@@ -75,7 +74,7 @@ class Renderer : private ScenePainter {
   Viewpoint look(const View& view, const TargetSpec& target) const;
   bool hidden(const Item& item, const Viewpoint& viewpoint) const;
   void take_lights();
-  void tell_moved();
+  void notify_moved();
   glm::vec3 background(const View& view) const;
   std::vector<ChainPass> passes(const View& view) const;
 
@@ -106,13 +105,13 @@ class Renderer : private ScenePainter {
   RenderOptions options_;
 
   const Scene* scene_ = nullptr;
-  std::vector<Light> lights_;         ///< of the scene, and of features
+  std::vector<Light> lights_;         ///< of the scene, then of features
   std::optional<PlacedNodes> nodes_;  ///< of the prepared scene
   SceneCounts counts_;
   bool mirrored_ = false;  ///< of the view that is being drawn
 
   std::map<ViewKind, std::vector<Variant>> variants_;  ///< item by item
-  std::uint64_t variants_version_ = 0;                 ///< the features' structure versions, when they were found
+  std::uint64_t variants_version_ = 0;  ///< sum of the features' structure versions for which variants_ was computed
 };
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// What the renderer does for a feature that draws: nodes with programs of its own, and whole views.
+// The renderer's interface for features that draw: nodes with their own programs, and whole views.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,8 @@
 
 namespace atelier {
 
-/// The stages of a program that a feature draws nodes with for itself: GLSL texts of #include lines and code. The
-/// vertex stage begins with the attributes and the uniforms u_model, u_view and u_projection declared and step 01's
-/// functions included.
+/// The stages of a feature's own program for drawing nodes: GLSL texts of #include lines and code. The renderer puts
+/// before the vertex stage the attributes, the uniforms u_model, u_view and u_projection, and step 01's functions.
 struct PassSources {
   std::string name;  ///< for messages
   std::string vertex, fragment;
@@ -27,23 +26,22 @@ struct PassSources {
   }
 };
 
-/// What a step teaches of views inside views, as the renderer calls it. The virtual camera and the clipped projection
-/// are not among it: a feature calls its step's functions itself, and hands their matrices over in the View. Clipping
-/// by distances is given (View::clip_plane), clipping by discarded fragments is the slot discard_fragment. Both find
-/// OpenGL's usual state, with the scissor and the stencil test of the view around; the surface of the opening is drawn
-/// right after each.
+/// The functions of step 07 that the renderer calls for nested views. The feature itself computes the virtual camera
+/// and the clipped projection, and passes their matrices in the View. Clipping with clip distances is View::clip_plane,
+/// with discarded fragments the slot discard_fragment. Both functions are called with default OpenGL state plus the
+/// scissor and stencil test of the enclosing view; the surface of the opening is drawn right after each.
 struct NestingFunctions {
-  /// For marking: what is visible of the opening raises the stencil buffer from `level` to level + 1. Changes neither
+  /// Marking: the visible pixels of the opening raise the stencil buffer from `level` to level + 1. Changes neither
   /// colour nor depth.
   void (*begin_mark)(Gl& gl, int level) = nullptr;
-  /// For undoing it: where the stencil buffer holds level + 1 the opening's own depth is written, whatever was there,
-  /// and the stencil buffer lowered to `level`. Changes no colour.
+  /// Unmarking: where the stencil buffer holds level + 1, writes the opening's own depth unconditionally and lowers the
+  /// stencil buffer to `level`. Changes no colour.
   void (*begin_restore)(Gl& gl, int level) = nullptr;
 };
 
 class ScenePainter {
  public:
-  /// A node with a mesh, where step 01's functions have placed it in the space that shaders call world.
+  /// A node with a mesh, with its matrices in the shaders' world space from step 01's functions.
   struct Item {
     int node = 0;  ///< index into Scene::nodes
     glm::mat4 model{1.0f};
@@ -52,25 +50,25 @@ class ScenePainter {
   };
   virtual ~ScenePainter() = default;
 
-  /// Of the view that is being drawn. A view of another origin (see Viewpoint) makes them anew.
+  /// Of the current view. A view with another origin (see Viewpoint) recomputes them.
   virtual std::span<const Item> items() const = 0;
 
-  /// Draws items (by their numbers in `items()`) with the pass's program into the framebuffer that is bound; `bind`
-  /// sets its uniforms, once. Sets which faces are front faces, a mirrored node's being turned round; culling, depth
-  /// test and viewport are the caller's.
+  /// Draws items (by index in `items()`) with the pass's program into the bound framebuffer; calls `bind` once to set
+  /// its uniforms. Sets the winding of front faces, reversed for mirrored nodes; the caller sets culling, depth test
+  /// and viewport.
   virtual void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) = 0;
 
-  /// Draws a view into a target of the feature's own, as `render` would: a preview, the side of a cube. To be called
-  /// from Feature::draw_views.
+  /// Draws a view into a target of the feature's own, like `render`: a preview, the face of a cube. Call it from
+  /// Feature::draw_views.
   virtual void draw_view(const View& view, const Target& target) = 0;
 
-  /// Targets for such views, which a frame lends out and uses again.
+  /// Targets for such views, which are pooled and reused.
   virtual TargetPool& targets() = 0;
 
-  /// Draws a view inside another one, where the item `opening` is seen in it: marks that place in the stencil buffer,
-  /// clears it to the background and the farthest depth, draws, and puts back the opening's depth and the mark. The
-  /// view's parent and stencil level are set from `around`; its scissor should bound the opening. To be called from
-  /// Feature::draw_inside. Throws Error where the target has no stencil buffer, or 255 levels are used up.
+  /// Draws a view inside another one, at the visible pixels of the item `opening`: marks them in the stencil buffer,
+  /// clears them to the background and the farthest depth, draws, and restores the opening's depth and the stencil
+  /// value. Sets the view's parent and stencil level from `around`; its scissor should bound the opening. Call it from
+  /// Feature::draw_inside. Throws Error if the target has no stencil buffer, or all 255 levels are in use.
   virtual void draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
                                 const NestingFunctions& functions) = 0;
 };

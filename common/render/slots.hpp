@@ -1,4 +1,4 @@
-// Places in the surface shader that features fill.
+// Slots: the places in the surface shader that features fill.
 #pragma once
 
 #include <string>
@@ -7,35 +7,35 @@
 
 namespace atelier {
 
-/// What a feature wants of the shader for one node: nothing, or a variant told by #defines. Numbers that change from
-/// frame to frame are uniforms and stay out of it: they must not cost a compilation.
+/// What a feature needs in the shader of one node: nothing, or a variant given by #defines. Numbers that change from
+/// frame to frame are uniforms instead, to avoid recompilation.
 struct Need {
   bool wanted = false;
   Defines structure;
 };
 
-/// Places in the surface shader that features fill, in the order in which a fragment goes through them. Several
-/// features may fill one; their code runs in the order of the renderer's list. Only `shade` has one owner: two that are
-/// wanted for the same node are refused. Every function is GLSL; vectors are in world space.
+/// Slots, in the order in which they run for a fragment. Several features may fill one; their code runs in the order of
+/// the renderer's list. Only `shade` has a single owner: two for the same node are an error. Every function is GLSL;
+/// vectors are in world space.
 enum class Slot {
   displace_texcoord,         ///< void f(inout Surface): moves surface.texcoord (parallax mapping)
-  modify_surface,            ///< void f(inout Surface): anything else of the surface, above all its normal
-  discard_fragment,          ///< bool f(Surface): whether there is nothing here
+  modify_surface,            ///< void f(inout Surface): changes other members, mainly the normal
+  discard_fragment,          ///< bool f(Surface): whether to discard the fragment
   visible_from_point,        ///< float f(int light, vec3 position, vec3 normal, vec3 to_light); see below
   visible_from_spot,         ///< the same
   visible_from_directional,  ///< the same
-  shade,                     ///< vec3 f(Surface): the light that leaves the surface
-  indirect,                  ///< vec3 f(Surface): light that is added to it
-  modify_shaded,             ///< vec3 f(Surface, vec3 shaded): what becomes of it on the way to the eye (fog)
+  shade,                     ///< vec3 f(Surface): the reflected and emitted light
+  indirect,                  ///< vec3 f(Surface): light to add
+  modify_shaded,             ///< vec3 f(Surface, vec3 shaded): changes the light on the way to the eye (fog)
 };
-// What fills `visible_from_*` says which share, 0..1, of the light with this number (among those of its type) reaches
-// the surface; 1 where it does not know. `normal` is of unit length or zero, `to_light` of unit length; for a
-// directional light it is the way against its light. The answers of several features are multiplied. Code that fills
-// `shade` may call the products, which are there where the define VISIBILITY is:
+// `visible_from_*` returns the fraction, 0..1, of a light that reaches the surface; 1 if unknown. `light` is the index
+// among the lights of its type. `normal` is of unit length or zero, `to_light` of unit length; for a directional light
+// it is opposite to the light's direction. The results of several features are multiplied. Code in `shade` may call the
+// products, which exist if VISIBILITY is defined:
 //   float visibility_of_point_light(int light, vec3 position, vec3 normal, vec3 to_light)
 //   float visibility_of_spot_light(...), visibility_of_directional_light(...)
 
-/// A piece of GLSL: the file that defines a function, and the function's name.
+/// A GLSL function: the file that defines it, and its name.
 struct SlotCode {
   std::string include;   ///< "02-blinn-phong/given/surface_lighting.glsl"
   std::string function;  ///< "shade_surface"

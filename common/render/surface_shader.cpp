@@ -13,7 +13,7 @@ namespace atelier {
 
 namespace {
 
-/// The renderer's own intermediates, as vec3 expressions over `surface`.
+/// The renderer's own intermediate results, as vec3 expressions of `surface`.
 const std::map<std::string, std::string>& own_outputs() {
   static const std::map<std::string, std::string> outputs = {
       {"depth", "vec3(gl_FragCoord.z)"},
@@ -54,7 +54,7 @@ std::string include_line(const std::string& file) {
   return fmt::format("#include \"{}\"\n", file);
 }
 
-/// What fills a slot, in the order of the features.
+/// The code that fills a slot, in the order of the features.
 std::vector<SlotCode> codes_for(Slot slot, const SurfaceKey& key) {
   std::vector<SlotCode> codes;
   for (const Feature* feature : key.features) {
@@ -64,14 +64,14 @@ std::vector<SlotCode> codes_for(Slot slot, const SurfaceKey& key) {
   return codes;
 }
 
-/// The one feature's code that shades, or none.
+/// The code of slot `shade`, or none.
 std::optional<SlotCode> shading_code(const SurfaceKey& key) {
   const std::vector<SlotCode> codes = codes_for(Slot::shade, key);
   if (codes.empty()) return {};
   if (codes.size() > 1)
     throw Error(
-        fmt::format("two features shade the same surface, {} ({}) and {} ({}): change what one has shaded by "
-                    "the slot modify_shaded, or let only one of them want the node",
+        fmt::format("two features shade the same surface, {} ({}) and {} ({}): use the slot modify_shaded in one of "
+                    "them, or let only one of them need the node",
                     codes[0].function, codes[0].include, codes[1].function, codes[1].include));
   return codes[0];
 }
@@ -93,7 +93,7 @@ bool knows_visibility(const SurfaceKey& key) {
                              [&](const VisibilitySlot& slot) { return !codes_for(slot.slot, key).empty(); });
 }
 
-/// The dispatchers, which multiply what the features answer: declared before the features' code, which may call them.
+/// Functions that multiply the features' results; declared before the features' code, which may call them.
 std::string visibility_declarations() {
   std::string text;
   for (const VisibilitySlot& slot : visibility_slots) text += visibility_head(slot) + ";\n";
@@ -111,7 +111,7 @@ std::string visibility_definitions(const SurfaceKey& key) {
   return text;
 }
 
-/// Everything that the stage which shades must hold before its main: the surface, and the code of these slots.
+/// What the shading stage needs before its main: the surface, and the code of these slots.
 std::string features_text(const SurfaceKey& key, std::span<const Slot> slots) {
   std::string text = include_line("surface.glsl");
   const bool visibility = knows_visibility(key) && std::ranges::count(slots, Slot::shade) > 0;
@@ -122,14 +122,14 @@ std::string features_text(const SurfaceKey& key, std::span<const Slot> slots) {
   return text;
 }
 
-/// The statements that run a surface through slots that change it.
+/// The statements that call a slot's functions.
 std::string calls(Slot slot, const SurfaceKey& key, const char* statement) {
   std::string text;
   for (const SlotCode& code : codes_for(slot, key)) text += fmt::format(fmt::runtime(statement), code.function);
   return text;
 }
 
-/// Of several features that offer an output the last one answers.
+/// If several features offer an output, the last one wins.
 std::string output_expression(const SurfaceKey& key) {
   if (key.output == "colour") return "shaded";
   if (const auto own = own_outputs().find(key.output); own != own_outputs().end()) return own->second;
@@ -172,8 +172,7 @@ std::vector<std::string> surface_outputs() {
 
 namespace {
 
-/// Slots whose code the fragment stage holds; with light worked out for each vertex, `lit_per_vertex` says which are
-/// left to it.
+/// Slots of the fragment stage; with per-vertex lighting only some of them are left.
 constexpr std::array all_slots = {Slot::displace_texcoord,
                                   Slot::modify_surface,
                                   Slot::discard_fragment,
@@ -187,14 +186,13 @@ constexpr std::array lighting_slots = {Slot::visible_from_point, Slot::visible_f
                                        Slot::visible_from_directional, Slot::shade, Slot::indirect};
 constexpr std::array slots_beside_lighting = {Slot::discard_fragment, Slot::modify_shaded};
 
-/// Whether light is worked out at the corners. What changes the surface between them would be lost: then it is not.
+/// Whether lighting is computed per vertex. Not if a feature changes the surface per pixel, since that would be lost.
 bool lit_per_vertex(const SurfaceKey& key) {
   return key.structure.contains("PER_VERTEX") && key.output == "colour" && shading_code(key) &&
          codes_for(Slot::displace_texcoord, key).empty() && codes_for(Slot::modify_surface, key).empty();
 }
 
-/// Declares `shaded` as the light that leaves `surface`. Where no feature shades there is nothing but a flat grey: a
-/// silhouette.
+/// Declares `shaded` as the light from `surface`. If no feature shades, it is a flat grey.
 std::string lighting_statements(const SurfaceKey& key) {
   const auto shade = shading_code(key);
   return fmt::format("  vec3 shaded = {};\n", shade ? shade->function + "(surface)" : "vec3(0.5)") +
@@ -211,9 +209,9 @@ constexpr const char* surface_statement =
     "  surface.tangent_world = v_tangent_world;\n"
     "#endif\n";
 
-/// What the fragment stage is handed as varyings in place of uniforms. Drivers may give each varying of the surface
-/// four components, whatever its type.
-std::vector<DrawConstant> handed_constants(const SurfaceKey& key, int varyings) {
+/// The constants that are passed to the fragment stage as varyings. Drivers may use four components for each varying,
+/// whatever its type.
+std::vector<DrawConstant> passed_constants(const SurfaceKey& key, int varyings) {
   if (!key.structure.contains(constants_as_varyings) || lit_per_vertex(key)) return {};
   std::vector<DrawConstant> constants = {{"vec3", "u_eye_world"}};
   for (const Feature* feature : key.features)
@@ -222,8 +220,8 @@ std::vector<DrawConstant> handed_constants(const SurfaceKey& key, int varyings) 
   return constants_that_fit(constants, key.structure, varyings / 4 * 4 - 4 * taken);
 }
 
-/// Step 01's functions place the corner; Gouraud shading also lights it here.
-std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& key, const HandingOver& constants) {
+/// Transforms a vertex with step 01's functions; Gouraud shading also lights it here.
+std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& key, const PassedConstants& constants) {
   const bool lights = lit_per_vertex(key), clips = key.structure.contains("CLIP_PLANE");
   const bool tangents = key.structure.contains("TANGENTS");
   std::string text = vertex_text + include_line(transforms_glsl);
@@ -237,8 +235,8 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
       "  v_normal_world = world_normal(u_normal_matrix, a_normal);\n"
       "  v_texcoord = a_texcoord;\n"
       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n";
-  // A tangent lies in the surface: it goes with the model's matrix, as positions do. One that mirrors exchanges the
-  // side that cross(normal, tangent) points to.
+  // A tangent is transformed by the model matrix, like positions. A mirroring matrix flips the side that cross(normal,
+  // tangent) points to.
   if (tangents)
     text +=
         "  v_tangent_world = vec4(mat3(u_model) * a_tangent.xyz, determinant(mat3(u_model)) < 0.0 ? -a_tangent.w : "
@@ -248,8 +246,8 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
   return text + constants.vertex_statements + "}\n";
 }
 
-/// Gather the surface, let the features change and shade it, write what was asked for.
-std::string fragment_stage(const SurfaceKey& key, const HandingOver& constants) {
+/// Builds the surface, lets the features change and shade it, and writes the output.
+std::string fragment_stage(const SurfaceKey& key, const PassedConstants& constants) {
   std::string text = constants.fragment_declarations + fragment_text;
   const bool lit = lit_per_vertex(key);
   if (lit) text += "in vec3 v_shaded;\n";
@@ -279,11 +277,11 @@ std::string fragment_stage(const SurfaceKey& key, const HandingOver& constants) 
 
 SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key,
                                 int varyings) {
-  const HandingOver constants = hand_over(handed_constants(key, varyings), key.structure, vertex_text);
+  const PassedConstants constants = pass_as_varyings(passed_constants(key, varyings), key.structure, vertex_text);
   Defines structure = key.structure;
   if (knows_visibility(key)) structure["VISIBILITY"] = "1";
-  // The vertex stage is told of the structure only where it lights: one text for all other variants, so that the driver
-  // compiles it once (Mesa keys its compiled code by the text's hash).
+  // The vertex stage gets the defines only if it lights: all other variants share one text, which the driver compiles
+  // once (Mesa caches by the text's hash).
   SurfaceSources sources{
       assemble_shader_text(find, vertex_stage(transforms_glsl, key, constants), "surface vertex shader",
                            lit_per_vertex(key) ? structure : Defines{}),

@@ -1,4 +1,4 @@
-// Puts the surface shader together: the parts that every drawing has, and the GLSL of the features that are wanted.
+// Assembles the surface shader: the common parts, and the GLSL of the features that are needed.
 #pragma once
 
 #include <string>
@@ -9,36 +9,35 @@
 
 namespace atelier {
 
-/// What tells one program from another. Equal keys share a program.
+/// The cache key of a program. Equal keys share a program.
 struct SurfaceKey {
-  std::vector<const Feature*> features;  ///< wanted ones, in the renderer's order
+  std::vector<const Feature*> features;  ///< the needed ones, in the renderer's order
   Defines structure;                     ///< of all of them, plus TEXCOORDS, PER_VERTEX ...
   std::string output;
   bool has(const Feature& feature) const;
   bool operator<(const SurfaceKey& other) const;
 };
 
-/// The define of a SurfaceKey under which the shader writes magenta for a colour that is no number or infinite.
+/// The define of a SurfaceKey that makes the shader write magenta for a NaN or infinite colour.
 inline constexpr const char* marks_non_finite = "MARKS_NON_FINITE";
 
 struct SurfaceSources {
   ShaderSource vertex, fragment;
 };
 
-/// What every driver has room for between the vertex and the fragment stage, in components.
+/// The number of varying components that every driver supports.
 inline constexpr int guaranteed_varyings = 60;
 
-/// `transforms_glsl` is the include behind TransformFunctions::glsl, `varyings` how many components the driver has room
-/// for: where the key asks for it, so many draw constants as fit beside the rest are handed over as varyings, unless
-/// light is worked out at the corners. Throws Error for an output that neither the renderer nor a wanted feature
-/// offers.
+/// `transforms_glsl` is TransformFunctions::glsl, `varyings` the driver's limit of varying components: if the key
+/// selects it, as many draw constants as fit are passed as varyings, except with per-vertex lighting. Throws Error for
+/// an output that neither the renderer nor a needed feature offers.
 SurfaceSources assemble_surface(const FindFile& find, const std::string& transforms_glsl, const SurfaceKey& key,
                                 int varyings = guaranteed_varyings);
 
-/// What stands before the vertex stage of a pass (PassSources): attributes, matrices, and step 01's functions.
+/// The beginning of a pass's vertex stage (PassSources): attributes, matrices, and step 01's functions.
 std::string pass_vertex_text(const std::string& transforms_glsl);
 
-/// Intermediates that the renderer itself offers: "depth", "normal", "texcoord", "position".
+/// The renderer's own intermediate results: "depth", "normal", "texcoord", "position".
 std::vector<std::string> surface_outputs();
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// Targets that come and go within a frame: lent out, taken back, and used again.
+// A pool of temporary targets.
 #pragma once
 
 #include <memory>
@@ -15,21 +15,20 @@ class TargetPool {
  public:
   explicit TargetPool(Gl& gl) : gl_(gl) {}
 
-  /// A target of this kind that nobody else has, as long as the returned pointer lives. What it holds is left over from
-  /// earlier use.
+  /// A target with this spec, exclusive while the returned pointer lives. Its contents are undefined.
   std::shared_ptr<const Target> take(const TargetSpec& spec) { return take_from(targets_, spec); }
-  /// The same with six sides.
+  /// The same with six faces.
   std::shared_ptr<const CubeTarget> take(const CubeTargetSpec& spec) { return take_from(cubes_, spec); }
 
-  /// Frees what was not used since the last call: to be called once for each frame.
+  /// Frees targets not used since the last call. Call it once per frame.
   void end_frame();
 
-  std::size_t size() const { return targets_.size() + cubes_.size(); }  ///< that it holds, lent or not
+  std::size_t size() const { return targets_.size() + cubes_.size(); }  ///< number of targets, in use or free
 
  private:
   template <class Kind>
   struct Entry {
-    std::shared_ptr<const Kind> target;  ///< lent where somebody else holds it too
+    std::shared_ptr<const Kind> target;  ///< in use if its use count is above 1
     bool used = true;                    ///< since the last end_frame
   };
   template <class Kind, class Spec>

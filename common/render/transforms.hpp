@@ -1,4 +1,4 @@
-// The functions of step 01 as the renderer sees them. `common/` never names a step: whoever draws hands the table in.
+// The functions of step 01 as a table that programs pass to the renderer, since common/ depends on no step.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace atelier {
 
-/// One node of a hierarchy: its own matrix, and whose space that matrix leads into.
+/// One node of a hierarchy: its local matrix and its parent.
 struct Joint {
-  int parent = -1;        ///< index of the parent, -1 for a root; parents may stand after their children
+  int parent = -1;        ///< index of the parent, -1 for a root; parents may come after their children
   glm::mat4 local{1.0f};  ///< from the node's space to its parent's
 };
 
-/// A mesh in the memory of OpenGL. Names (numbers) of objects that the receiver deletes.
+/// A mesh uploaded to OpenGL: object names (numbers), which the receiver must delete.
 struct MeshBuffers {
-  GLuint vertex_array = 0;   ///< remembers which buffer feeds which attribute
+  GLuint vertex_array = 0;   ///< which buffer feeds which attribute
   GLuint vertex_buffer = 0;  ///< the vertices, interleaved
-  GLuint index_buffer = 0;   ///< 0 where the vertices are drawn in order, without indices
-  GLsizei count = 0;         ///< indices, or vertices where there are none
+  GLuint index_buffer = 0;   ///< 0 if the vertices are drawn in order, without indices
+  GLsizei count = 0;         ///< number of indices, or of vertices if there are none
 };
 
-/// Attribute locations that every shader of the course agrees on.
+/// Attribute locations in all shaders of the course.
 inline constexpr GLuint attribute_position = 0, attribute_normal = 1, attribute_texcoord = 2, attribute_tangent = 3;
 
-/// What the renderer asks of step 01. Spaces and errors stand in that step's contract header.
+/// The functions of step 01. That step's contract header specifies spaces and errors.
 struct TransformFunctions {
   glm::mat4 (*compose)(const glm::vec3& translation, const glm::vec3& axis, float angle,
                        const glm::vec3& scale) = nullptr;

@@ -1,4 +1,4 @@
-// From where a scene is seen, and what of it is drawn.
+// A view: the camera of a drawing and its options.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,30 +9,30 @@
 
 namespace atelier {
 
-/// One traversal of a scene.
+/// One drawing of a scene.
 struct View {
   Camera camera;
-  std::string output = "colour";  ///< "colour", one intermediate, or the name of a pass of the chain
+  std::string output = "colour";  ///< "colour", an intermediate result, or the name of a pass of the chain
   bool wireframe = false;         ///< edges only
   bool camera_relative = false;   ///< the world is moved so that the eye is its origin, in double precision
-  bool cull = false;              ///< leave out nodes whose boxes are outside the view
+  bool cull = false;              ///< skip nodes whose boxes are outside the view
   bool reversed_depth = false;    ///< depth 1 at the near plane; needs clip control and a float depth buffer
 
-  // In place of what the camera gives: the virtual camera of a portal or a mirror. In the space that shaders call
-  // world.
+  // If set, they replace the camera's matrices: for the virtual camera of a portal or a mirror. In the shaders' world
+  // space.
   std::optional<glm::mat4> world_to_view;
   std::optional<glm::mat4> projection;
-  bool mirrored = false;  ///< an odd number of reflections is in world_to_view: front faces are clockwise
+  bool mirrored = false;  ///< world_to_view has an odd number of reflections: front faces are clockwise
 
-  // What of the target, and of the world, the view is bounded to.
+  // Bounds of the view in the target and in the world.
   std::optional<glm::ivec4> scissor;     ///< pixels: x, y of the lower left corner, width, height
-  std::optional<glm::dvec4> clip_plane;  ///< absolute world space: what has dot(plane, (p, 1)) < 0 is left out
+  std::optional<glm::dvec4> clip_plane;  ///< absolute world space: points with dot(plane, (p, 1)) < 0 are clipped
   int stencil_level = 0;                 ///< above 0: drawn only where the stencil buffer holds this number
-  const View* parent = nullptr;  ///< the view in whose picture this one lies; none: it has its target for itself
+  const View* parent = nullptr;          ///< the enclosing view; null: this view has its own target
 };
 
-/// A view with everything that the features need to know about it worked out, in the space that shaders call world
-/// (moved to the eye where the view is camera-relative; a view inside another has the outermost one's origin).
+/// A view with derived data for features, in the shaders' world space (relative to the eye if the view is
+/// camera-relative; a nested view has the outermost one's origin).
 struct Viewpoint {
   const View& view;
   glm::mat4 world_to_view, projection;
@@ -40,7 +40,7 @@ struct Viewpoint {
   glm::dvec3 origin{0};  ///< what was subtracted from the world
 };
 
-/// How many views lie around this one.
+/// The number of enclosing views.
 inline int nesting_depth(const View& view) {
   int depth = 0;
   for (const View* around = view.parent; around; around = around->parent) ++depth;

@@ -1,4 +1,4 @@
-// A brick wall as colour, height and normals: the three that normal and parallax mapping need to agree.
+// A brick wall as matching textures of colour, height and normals, for normal and parallax mapping.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void check(const BrickShape& shape) {
   if (shape.rows % 2 != 0) throw Error(fmt::format("bricks: rows {} (allowed: even numbers, 2..64)", shape.rows));
 }
 
-/// Where a point of the wall lies in the bond.
+/// A point's position in the bond.
 struct Place {
   std::int64_t column, row;  ///< of the brick
   double edge;               ///< distance from the brick's border, in heights of a brick; negative in the mortar
@@ -34,8 +34,9 @@ struct Place {
 Place place_in_bond(const BrickShape& shape, double u, double v) {
   const double y = v * shape.rows;
   const auto row = std::int64_t(y);
-  const double x = u * shape.columns + (row % 2 == 0 ? 0.0 : 0.5);  // a running bond: every other row by half a brick
-  const double aspect = double(shape.rows) / shape.columns;         // a brick's width over its height
+  const double x =
+      u * shape.columns + (row % 2 == 0 ? 0.0 : 0.5);        // running bond: odd rows are shifted by half a brick
+  const double aspect = double(shape.rows) / shape.columns;  // a brick's width over its height
   const double in_x = x - std::floor(x), in_y = y - double(row);
   const double edge = std::min(std::min(in_x, 1 - in_x) * aspect, std::min(in_y, 1 - in_y)) - shape.joint / 2;
   return {std::int64_t(std::floor(x)) % shape.columns, row, edge};
@@ -54,7 +55,7 @@ struct Sample {
 Sample sample(const BrickShape& shape, double u, double v) {
   const Place place = place_in_bond(shape, u, v);
   const double rough = fractal_noise(shape.seed + 1, {32 * u, 32 * v}, {32, 32}, 3);
-  const double brick = ramp(0, 0.09, place.edge);  // 0 in the joint, 1 on the flat of the brick, rounded in between
+  const double brick = ramp(0, 0.09, place.edge);  // 0 in the joint, 1 on the brick's face, rounded in between
   const double raised = hash01(shape.seed + 2, place.column, place.row);
   const double height = glm::mix(0.12 * rough, 0.72 + 0.16 * raised + 0.12 * rough, brick);
 
@@ -64,7 +65,7 @@ Sample sample(const BrickShape& shape, double u, double v) {
   return {(0.7 + 0.5 * rough) * glm::mix(mortar, clay, brick), height};
 }
 
-/// Tangent-space normals of a height map that tiles; `depth` is what a height of 1 means, in sides of the texture.
+/// Tangent-space normals of a tileable height map; `depth` is the height of 1, in texture sides.
 Image normals_of(const Image& height, double depth) {
   const int n = height.width();
   Image normals(n, n);

@@ -42,7 +42,7 @@ int add_object(Scene& scene, Mesh mesh, int material, Node node) {
 }
 
 Node upright(Node node, double yaw) {
-  // A quarter turn about x, then the yaw about y: the product of their quaternions, read back as axis and angle.
+  // A quarter turn about x, then the yaw about y: the product of their quaternions as axis and angle.
   const double s = std::numbers::sqrt2 / 2, c = s;  // sine and cosine of half the quarter turn
   const double sy = std::sin(yaw / 2), cy = std::cos(yaw / 2);
   const glm::dvec3 axis(cy * s, sy * c, -sy * s);

@@ -1,4 +1,4 @@
-// Small words for writing scenes by hand: each adds one thing and returns its index.
+// Helpers for building scenes in code: each adds one item and returns its index.
 //
 //   Scene scene{.name = "still life"};
 //   const int wood = add_material(scene, {.diffuse_texture = add_texture(scene, "wood", make_wood())});
@@ -17,24 +17,25 @@ int add_material(Scene& scene, Material material);
 int add_node(Scene& scene, Node node);
 int add_light(Scene& scene, Light light);
 
-/// A mesh and a node that shows it, in one go; returns the node.
+/// Adds a mesh and a node that shows it; returns the node.
 int add_object(Scene& scene, Mesh mesh, int material, Node node = {});
 
-/// Turns a node whose mesh lies flat as make_plane does (facing +y, its texture's top towards -z) upright: facing +z
-/// with the texture's top up, then by `yaw` radians around the y axis, counter-clockwise from above.
+/// Rotates a node with a flat mesh like make_plane's (facing +y, texture's top towards -z) so that it faces +z with the
+/// texture's top up, then by `yaw` radians around the y axis, counter-clockwise from above.
 Node upright(Node node, double yaw);
 
-/// Degrees to radians, for angles that are written by hand.
+/// Degrees to radians.
 constexpr float degrees(double angle) {
   return float(angle * 3.14159265358979323846 / 180);
 }
 
-/// Plastic: a coloured body under a colourless gloss. Keeps diffuse + specular <= 1 by darkening the body a little.
+/// Plastic: coloured diffuse reflection under a colourless highlight. Darkens diffuse slightly so that diffuse +
+/// specular <= 1.
 Material plastic(std::string name, const glm::vec3& colour, float exponent = 64);
 
-/// Metal: whatever it reflects is tinted by `reflectance`, the linear colour at normal incidence. There are no
-/// surroundings to mirror, so a third is given to a diffuse part, tinted three times: light that a rough metal scatters
-/// has bounced more than once.
+/// Metal: reflections are tinted by `reflectance`, the linear colour at normal incidence. There is no environment to
+/// reflect, so one third goes to a diffuse part with the tint cubed: light scattered by a rough metal has been
+/// reflected several times.
 Material metal(std::string name, const glm::vec3& reflectance, float exponent = 64);
 
 /// Linear reflectances of metals at normal incidence, from measured indices of refraction (Akenine-Moller et al.,

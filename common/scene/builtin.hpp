@@ -1,4 +1,4 @@
-// Scenes that come with the project: what a step shows when no file is given.
+// Built-in scenes, for steps that get no scene file.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace atelier {
 
-/// "teapot", "sphere", ...: in the order in which a menu should list them.
+/// "teapot", "sphere", ...: in menu order.
 std::vector<std::string> builtin_scene_names();
 
-/// Builds one. Throws Error listing the known names where `name` is none of them.
+/// Builds one. Throws Error listing the known names if `name` is not one of them.
 Scene make_builtin_scene(std::string_view name);
 
 }  // namespace atelier

@@ -19,7 +19,7 @@ void hang_lamp(Scene& scene, const glm::dvec3& hook, float cord, const glm::vec3
   };
   hang("cord", make_cylinder({.radius = 0.012f, .height = cord, .segments = 12}), black, -cord);
   Mesh shade = make_cone({.radius = 0.3f, .height = 0.26f});
-  shade.indices.resize(3 * 48);  // the slope alone: a shade has no floor
+  shade.indices.resize(3 * 48);  // only the cone's side: a shade has no base
   hang("shade", std::move(shade), black, -cord - 0.2);
   hang("bulb", make_sphere({.radius = 0.075f, .segments = 32, .rings = 16}), glass, -cord - 0.17);
   add_light(scene, {.name = "lamp", .position = hook - glm::dvec3(0, cord + 0.2, 0), .colour = colour});
@@ -27,7 +27,7 @@ void hang_lamp(Scene& scene, const glm::dvec3& hook, float cord, const glm::vec3
 
 namespace {
 
-/// The room's box, in metres; the floor's middle is the origin.
+/// The size of the room in metres; the origin is in the middle of the floor.
 constexpr float room_width = 6, room_depth = 5, room_height = 3;
 
 void add_room_shell(Scene& scene, int floor, int walls, int ceiling) {
@@ -39,7 +39,7 @@ void add_room_shell(Scene& scene, int floor, int walls, int ceiling) {
               .translation = {0, room_height, 0},
               .rotation_axis = {1, 0, 0},
               .rotation_angle = degrees(180)});
-  for (int side = 0; side < 4; ++side) {  // the wall behind, and on by quarter turns
+  for (int side = 0; side < 4; ++side) {  // the back wall, then rotated by quarter turns
     const bool long_wall = side % 2 == 0;
     const double away = (long_wall ? room_depth : room_width) / 2, yaw = side * std::numbers::pi / 2;
     const Mesh wall =
@@ -129,7 +129,7 @@ Scene hall() {
                                          .exponent = 80,
                                          .diffuse_texture = add_texture(scene, "marble", make_marble({.size = 256}))});
 
-  // Floor and ceiling are plain squares: what reaches beyond the wall is hidden by it.
+  // Floor and ceiling are squares; the wall hides their corners.
   add_object(
       scene,
       make_cylinder_wall({.radius = radius, .height = height, .segments = 96, .side = Side::inside, .repeat = {12, 2}}),

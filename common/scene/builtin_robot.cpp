@@ -1,4 +1,4 @@
-// A figure whose limbs hang on each other: what a node hierarchy is for.
+// A figure with jointed limbs: an example of a node hierarchy.
 #include "scene/builder.hpp"
 #include "scene/builtin_scenes.hpp"
 #include "scene/shapes.hpp"
@@ -9,8 +9,8 @@ namespace {
 
 constexpr glm::vec3 x_axis{1, 0, 0}, y_axis{0, 1, 0}, z_axis{0, 0, 1};
 
-/// The figure's materials and its two shapes, one metre large. Joints carry position and rotation; each visible part is
-/// a leaf with its own scale, so that no scale reaches the limbs further out.
+/// The figure's materials and its two shapes, of size 1 m. Joints have position and rotation; each visible part is a
+/// leaf with its own scale, so that scales do not affect other limbs.
 struct Kit {
   Scene& scene;
   int shell, steel, eyes;
@@ -68,8 +68,8 @@ void add_leg(const Kit& kit, int pelvis, const std::string& side, double x, doub
 }
 
 void add_figure(const Kit& kit) {
-  // The head comes before the torso that carries it, and the torso before pelvis and root: parents may stand anywhere
-  // in the list, so whoever computes world matrices must not rely on their order.
+  // The head is listed before its parent torso, and the torso before pelvis and root: parents may be anywhere in the
+  // list, so code that computes world matrices must not rely on their order.
   const int neck = kit.joint("neck", -1, {0, 0.72, 0}, y_axis, 22);
   const int head = kit.joint("head", neck, {0, 0.12, 0}, x_axis, 8);
   const int torso = kit.joint("torso", -1, {0, 0.1, 0}, x_axis, 4);

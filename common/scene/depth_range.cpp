@@ -7,10 +7,11 @@
 namespace atelier {
 namespace {
 
-/// How much of the largest coordinate on its way floats may move a point: 6 units in the last place, 2^-23 each.
+/// Float error of a point's position, relative to the largest coordinate in its computation: 6 units in the last place,
+/// 2^-23 each.
 constexpr double doubt = 6 * 1.2e-7;
 
-/// Where the camera stands and which way it looks: unit vectors.
+/// The camera's position and its axes, which are unit vectors.
 struct Frame {
   glm::dvec3 eye, right, up, forward;
 };
@@ -19,7 +20,8 @@ Frame frame_of(const Camera& camera) {
   const glm::dvec3 forward = glm::normalize(camera.target - camera.eye);
   glm::dvec3 right = glm::cross(forward, glm::dvec3(camera.up));
   if (glm::length(right) <= 1e-6 * glm::length(glm::dvec3(camera.up))) {
-    // Up is along the view, or zero: the axis stands in that the view is most square to, the first of equals.
+    // Up is parallel to the view, or zero: use the axis that is closest to perpendicular to the view, the first of
+    // equals.
     const glm::dvec3 size = glm::abs(forward);
     const int axis = size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2;
     glm::dvec3 other(0);
@@ -30,13 +32,14 @@ Frame frame_of(const Camera& camera) {
   return {camera.eye, right, glm::cross(right, forward), forward};
 }
 
-/// A half space: what has dot(normal, p) >= offset is inside.
+/// A half-space: dot(normal, p) >= offset is inside.
 struct Plane {
   glm::dvec3 normal;
   double offset;
 };
 
-/// The four sides of the view, and the plane through the eye that keeps what is behind a perspective camera out.
+/// The four side planes of the view volume, and the plane through the eye that excludes points behind a perspective
+/// camera.
 std::vector<Plane> sides_of(const Camera& camera, const Frame& frame, double aspect) {
   const bool perspective = camera.projection == Projection::perspective;
   const double half_height = perspective ? std::tan(double(camera.fov_y) / 2) : double(camera.height) / 2;
@@ -50,7 +53,7 @@ std::vector<Plane> sides_of(const Camera& camera, const Frame& frame, double asp
   return planes;
 }
 
-/// What is left of a flat convex polygon on the inner side of a plane (Sutherland and Hodgman, 1974).
+/// Clips a planar convex polygon to the inner side of a plane (Sutherland and Hodgman, 1974).
 std::vector<glm::dvec3> clipped(const std::vector<glm::dvec3>& polygon, const Plane& plane) {
   std::vector<glm::dvec3> left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -87,7 +90,7 @@ double largest_coordinate(const glm::dvec3& a, const glm::dvec3& b) {
 std::vector<Box3> node_boxes(const Scene& scene) {
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
   std::vector<Box3> boxes(scene.nodes.size());
-  double coordinate = 0;  // the largest translation of all nodes, those without a mesh too
+  double coordinate = 0;  // the largest translation of all nodes, including those without a mesh
   for (const glm::dmat4& matrix : world) {
     const glm::dvec3 place(matrix[3]);
     coordinate = std::max(coordinate, largest_coordinate(place, place));
@@ -115,7 +118,7 @@ std::optional<DepthRange> visible_depths(const Camera& camera, double aspect, co
     range->near = std::min(range->near, depth);
     range->far = std::max(range->far, depth);
   };
-  // Every corner of the part that is seen lies on a side of the box, but for one: the tip of the pyramid.
+  // Every corner of the visible part lies on a side of the box, except the apex of the view volume.
   for (int side = 0; side < 6; ++side) {
     std::vector<glm::dvec3> polygon = side_of(box, side);
     for (const Plane& plane : planes) polygon = clipped(polygon, plane);
@@ -138,7 +141,7 @@ Camera fit_depth(Camera camera, double aspect, std::span<const Box3> boxes) {
   const auto slack = [&](double depth) { return doubt * coordinate + 1e-5 * std::abs(depth); };
   const float near = std::max(camera.near, float(all->near - slack(all->near)));
   const float far = std::min(camera.far, float(all->far + slack(all->far)));
-  if (!(near < far)) return camera;  // all that it sees lies before its near or beyond its far plane
+  if (!(near < far)) return camera;  // everything visible is outside its near and far planes
   camera.near = near;
   camera.far = far;
   return camera;

@@ -9,19 +9,19 @@
 namespace atelier {
 namespace {
 
-/// A cone's edge is compared in floats by the cosine. Near the axis a rounding of 1e-7 there is an angle of 5e-4; a
+/// Shaders compare the cone's edge as a float cosine. Near the axis a rounding error of 1e-7 is an angle of 5e-4; a
 /// spot must miss the box by more than that.
 constexpr double cone_slack = 2e-3;  // radians
 
-/// Floats round each of a few operations by 6e-8; a sum that just fits could then be one that just does not.
+/// Margin for float rounding: a few operations with 6e-8 each.
 constexpr double rounding = 1.0001;
 
 double distance_to(const Box3& box, const glm::dvec3& point) {
   return glm::length(point - glm::clamp(point, box.low, box.high));
 }
 
-/// Whether the cone of directions that the spot lights and the cone of directions in which it sees the sphere around
-/// the box have none in common: the angle between their axes is above the sum of their half angles.
+/// Whether the spot's cone and the cone around the box's bounding sphere, seen from the spot, do not intersect: the
+/// angle between their axes is larger than the sum of their half-angles.
 bool misses(const Light& spot, const Box3& box) {
   const glm::dvec3 centre = (box.low + box.high) / 2.0, to_centre = centre - spot.position;
   const double radius = glm::length(box.high - box.low) / 2, distance = glm::length(to_centre);

@@ -1,6 +1,6 @@
-// Noise without state: a hash turns grid positions into numbers, so that any pixel can be asked for in any order, on
-// any machine, and gives the same bits. Only integer operations and + - * / of doubles are used, which IEEE 754 rounds
-// alike everywhere; sine and power are not among them.
+// Stateless noise: a hash maps grid positions to numbers, so pixels can be computed in any order and give the same bits
+// on any machine. Uses only integer operations and + - * / of doubles, which IEEE 754 rounds identically everywhere; no
+// sine, no power.
 #pragma once
 
 #include <cstdint>

@@ -11,7 +11,7 @@
 namespace atelier {
 namespace {
 
-constexpr int fewest = 3, most = 65536;  // what make_cylinder_wall takes
+constexpr int fewest = 3, most = 65536;  // the range of make_cylinder_wall
 
 void require(bool fine, const char* what, double value) {
   if (!fine)
@@ -27,11 +27,11 @@ int segments_for(const RoundView& view) {
   require(view.height > 0, "height", view.height);
   require(std::isfinite(view.pixels) && view.pixels > 0, "pixels", view.pixels);
   const double pixel = 2 * view.distance * std::tan(view.fov_y / 2) / view.height;
-  // 1 - cos x = 2 sin^2(x / 2), without the digits that the difference loses where n is large.
+  // 1 - cos x = 2 sin^2(x / 2), which avoids cancellation for large n.
   const double half_sine = std::sqrt(view.pixels * pixel / (2 * view.radius));
   if (half_sine >= 1) return fewest;
   const double exact = std::numbers::pi / (2 * std::asin(half_sine));
-  // A number that is whole but for its rounding stays that number.
+  // Do not round up a number that is an integer except for rounding error.
   return int(std::clamp(std::ceil(exact * (1 - 1e-12)), double(fewest), double(most)));
 }
 

@@ -9,7 +9,7 @@
 namespace atelier {
 namespace {
 
-/// Rotation about an axis by Rodrigues' formula, in double so that no float rounding reaches the ground truth.
+/// Rotation about an axis by Rodrigues' formula, in double, because the ground truth uses it.
 glm::dmat4 rotation_matrix(const Node& node) {
   if (node.rotation_angle == 0) return glm::dmat4(1);
   const glm::dvec3 k = glm::normalize(glm::dvec3(node.rotation_axis));
@@ -38,8 +38,8 @@ std::vector<int> parents_first(const std::vector<Node>& nodes) {
   std::vector<int> order, path;
   order.reserve(nodes.size());
 
-  // Climb from each node to the first ancestor that has its place, then give places on the way back down. Without
-  // recursion: a chain of a million nodes must not exhaust the stack.
+  // From each node go up to the first ancestor that is already placed, then place the nodes on the way down. Without
+  // recursion: a chain of a million nodes must not overflow the stack.
   for (int start = 0; start < count; ++start) {
     for (int i = start; i >= 0 && marks[i] != Mark::done; i = nodes[i].parent) {
       if (nodes[i].parent < -1 || nodes[i].parent >= count)

@@ -21,7 +21,7 @@ void require_length(const char* shape, const char* name, float value) {
 
 glm::dvec2 circle_point(int i, int n) {
   i %= n;
-  // Reduce to the first quarter, where sine and cosine are computed; the other quarters follow by turning.
+  // Compute sine and cosine in the first quarter only; the other quarters are rotations of it.
   const std::int64_t quarters = std::int64_t(i) * 4 / n;
   const double angle = 2 * std::numbers::pi * (double(i) - double(quarters * n) / 4) / n;
   const glm::dvec2 p(std::cos(angle), std::sin(angle));

@@ -1,4 +1,4 @@
-// Box, plane, disc, cylinder and cone: shapes of flat and singly curved faces.
+// Box, plane, disc, cylinder and cone: shapes with flat and singly curved faces.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_segments = 65536;
 
-/// A corner of a regular polygon in the xz plane, counter-clockwise from +x seen from above, exact at the quarters.
+/// A corner of a regular polygon in the xz plane, counter-clockwise from +x seen from above, exact at quarter turns.
 glm::dvec3 around_y(int i, int n) {
   const glm::dvec2 p = circle_point(i, n);
   return {p.x, 0, -p.y};
@@ -32,7 +32,7 @@ void require_repeat(const char* shape, const glm::vec2& repeat) {
 Mesh make_box(const BoxShape& shape) {
   for (int i = 0; i < 3; ++i) require_length("box", i == 0 ? "size.x" : i == 1 ? "size.y" : "size.z", shape.size[i]);
 
-  // Each face by the way to its right and the way up, as it is seen from outside.
+  // Each face by its right and up directions, seen from outside.
   struct Face {
     glm::vec3 outward, right, up;
   };
@@ -40,7 +40,7 @@ Mesh make_box(const BoxShape& shape) {
       {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
       {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
   };
-  const float sign = shape.side == Side::outside ? 1.0f : -1.0f;  // from inside, right is left
+  const float sign = shape.side == Side::outside ? 1.0f : -1.0f;  // seen from inside, right is left
   Mesh mesh{.name = "box"};
   for (const Face& face : faces)
     add_grid(mesh, 1, 1, [&](int column, int row) {
@@ -97,7 +97,7 @@ Mesh make_disc(const DiscShape& shape) {
 
 namespace {
 
-/// The underside of a solid: a disc that faces -y.
+/// The bottom of a closed shape: a disc that faces -y.
 Mesh floor_disc(float radius, int segments) {
   Mesh floor = make_disc({radius, segments});
   turn_inside_out(floor);
@@ -122,7 +122,7 @@ Mesh make_cone(const ConeShape& shape) {
   require_length("cone", "height", shape.height);
   require_count("cone", "segments", shape.segments, 3, most_segments / 2);
   const int n = shape.segments;
-  // The slope falls by height over radius, so its normal rises by radius over height.
+  // The slope is -height / radius, so the normal's is radius / height.
   const auto normal = [&](const glm::dvec3& outward) {
     return glm::vec3(glm::normalize(double(shape.height) * outward + glm::dvec3(0, shape.radius, 0)));
   };
@@ -133,7 +133,7 @@ Mesh make_cone(const ConeShape& shape) {
       const glm::dvec3 outward = around_y(column, n);
       return Vertex{glm::vec3(double(shape.radius) * outward), normal(outward), {u, 0}};
     }
-    const float middle = std::max(0.0f, u - 0.5f / float(n));  // the tip of the triangle to the left of this column
+    const float middle = std::max(0.0f, u - 0.5f / float(n));  // of the tip of the triangle to the left of this column
     return Vertex{{0, shape.height, 0}, normal(around_y(2 * column - 1 + 2 * n, 2 * n)), {middle, 1}};
   });
   append(mesh, floor_disc(shape.radius, n));

@@ -1,4 +1,4 @@
-// Sphere, icosphere and torus: surfaces whose normals come from their formulas, not from their triangles.
+// Sphere, icosphere and torus, with normals from their formulas.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,12 +31,12 @@ Mesh make_sphere(const SphereShape& shape) {
   require_count("sphere", "rings", shape.rings, 2, 4096);
   Mesh mesh{.name = "sphere"};
   add_grid(mesh, shape.segments, shape.rings, [&](int column, int row) {
-    // Half a circle from the south pole to the north pole; all corners of a pole lie at exactly one place.
+    // A half circle from the south pole to the north pole; all vertices at a pole have exactly the same position.
     const bool south = row == 0, north = row == shape.rings;
     const glm::dvec2 half = circle_point(row, 2 * shape.rings);  // angle from the south pole
     const glm::dvec2 rise = south || north ? glm::dvec2(0, north ? 1 : -1) : glm::dvec2(half.y, -half.x);
     const glm::dvec3 n = direction(circle_point(column, shape.segments), rise);
-    // The one triangle that a pole has in each column gets its tip in the middle of the column's width.
+    // At a pole each column has one triangle; its tip's u is the middle of the column.
     const double middle = south ? 0.5 : north ? -0.5 : 0.0;
     const double u = std::clamp((column + middle) / shape.segments, 0.0, 1.0);
     return Vertex{glm::vec3(double(shape.radius) * n), glm::vec3(n), {float(u), float(row) / float(shape.rings)}};
@@ -72,7 +72,7 @@ struct Geodesic {
   std::vector<std::array<int, 3>> faces;
 };
 
-/// The regular icosahedron: its corners are those of three golden rectangles, one in each coordinate plane.
+/// The regular icosahedron: its vertices are the corners of three golden rectangles, one in each coordinate plane.
 Geodesic icosahedron() {
   constexpr double g = std::numbers::phi;
   Geodesic solid{{{-1, g, 0},
@@ -94,7 +94,7 @@ Geodesic icosahedron() {
   return solid;
 }
 
-/// Cuts every face in four at the middles of its edges.
+/// Splits every face into four at the midpoints of its edges.
 Geodesic subdivide(const Geodesic& coarse) {
   Geodesic fine{coarse.directions, {}};
   std::map<std::pair<int, int>, int> middles;
@@ -114,8 +114,8 @@ bool is_pole(const glm::dvec3& d) {
   return d.x == 0 && d.z == 0;
 }
 
-/// Longitudes 0..1 of a face's corners, with 1 added where the face would otherwise span the seam; a pole, which has
-/// no longitude, takes the middle of the other two.
+/// Longitudes 0..1 of a face's corners, with 1 added to some if the face crosses the seam; a pole, which has no
+/// longitude, gets the mean of the other two.
 std::array<float, 3> longitudes(const std::array<glm::dvec3, 3>& corners) {
   std::array<double, 3> u;
   for (int i = 0; i < 3; ++i) {

@@ -1,10 +1,10 @@
 // Newell's teapot: bicubic Bezier patches turned into triangles.
 //
-// The control points are Martin Newell's of 1975, in the form that went around with the height scaled by Blinn and the
-// bottom added by Crow (F. Crow, "The origins of the teapot", IEEE CG&A 7(1), 1987; also S. Baker's "teaset" files and
-// the GLUT library). They are printed there as 306 points and 32 lists of 16. Most of them say the same thing many
-// times over: body, rim, lid and bottom are surfaces of revolution in four quarters, and handle and spout are mirrored
-// halves. So this file keeps what is left when the repetition is taken out. z is up in the data and y in our scenes.
+// The control points are Martin Newell's of 1975, in the common form with the height scaled by Blinn and the bottom
+// added by Crow (F. Crow, "The origins of the teapot", IEEE CG&A 7(1), 1987; also S. Baker's "teaset" files and the
+// GLUT library). They are published as 306 points and 32 lists of 16, with much repetition: body, rim, lid and bottom
+// are surfaces of revolution in four quarters, and handle and spout are mirrored halves. This file stores each part
+// once. z is up in the data, y in our scenes.
 #include <algorithm>
 #include <array>
 
@@ -21,11 +21,11 @@ namespace {
 using Patch = std::array<std::array<glm::dvec3, 4>, 4>;
 
 /// One circle of control points of a surface of revolution: a quarter of it is the Bezier curve (radius, 0),
-/// (radius, handle), (handle, radius), (0, radius). A true circle has handle = 0.5523 radius; Newell took 0.56.
+/// (radius, handle), (handle, radius), (0, radius). A true circle has handle = 0.5523 radius; Newell used 0.56.
 struct Ring {
   double radius, handle, height;
 };
-using Profile = std::array<Ring, 4>;  ///< the way down the outside, or outwards over the lid
+using Profile = std::array<Ring, 4>;  ///< from top to bottom, or for the lid from the middle outwards
 
 constexpr Profile rim{{{1.4, 0.784, 2.4}, {1.3375, 0.749, 2.53125}, {1.4375, 0.805, 2.53125}, {1.5, 0.84, 2.4}}};
 constexpr Profile body_upper{{{1.5, 0.84, 2.4}, {1.75, 0.98, 1.875}, {2, 1.12, 1.35}, {2, 1.12, 0.9}}};
@@ -36,8 +36,8 @@ constexpr Profile bottom{{{1.5, 0.84, 0.15}, {1.5, 0.84, 0.075}, {1.425, 0.798, 
 
 constexpr double data_height = 3.15;  // from the table to the top of the knob
 
-/// The halves at y <= 0. A row leads from the middle of one face of the handle over its side to the middle of the
-/// other.
+/// The halves at y <= 0. A row runs from the middle of one face of the handle over its side to the middle of the other
+/// face.
 constexpr Patch handle_upper{{{{{-1.6, 0, 2.025}, {-1.6, -0.3, 2.025}, {-1.5, -0.3, 2.25}, {-1.5, 0, 2.25}}},
                               {{{-2.3, 0, 2.025}, {-2.3, -0.3, 2.025}, {-2.5, -0.3, 2.25}, {-2.5, 0, 2.25}}},
                               {{{-2.7, 0, 2.025}, {-2.7, -0.3, 2.025}, {-3, -0.3, 2.25}, {-3, 0, 2.25}}},
@@ -76,7 +76,7 @@ Patch mirror(const Patch& patch) {
   return mirrored;
 }
 
-/// The same surface with u the other way round: the half as printed runs clockwise, which would turn it inside out.
+/// The same surface with u reversed: the half in the data runs clockwise and would be inside out.
 Patch walk_back(const Patch& patch) {
   Patch reversed = patch;
   for (auto& row : reversed) std::reverse(row.begin(), row.end());
@@ -105,8 +105,8 @@ struct SurfacePoint {
   glm::dvec3 position, normal;  ///< the normal is unit length
 };
 
-/// The point at (u, v) and the normal dP/dv x dP/du. At the poles of lid and bottom a whole row of control points is
-/// one point and dP/du vanishes; close to it dP/du is a multiple of d2P/dudv, which takes its place.
+/// The point at (u, v) and the normal dP/dv x dP/du. At the poles of lid and bottom a whole row of control points
+/// coincides and dP/du is 0; it is replaced by d2P/dudv, which is parallel to dP/du near the pole.
 SurfacePoint surface(const Patch& patch, double u, double v) {
   const Basis bu = bernstein(u), bv = bernstein(v);
   glm::dvec3 du = evaluate(patch, bu.slope, bv.value);
@@ -118,7 +118,7 @@ SurfacePoint surface(const Patch& patch, double u, double v) {
   return {evaluate(patch, bu.value, bv.value), glm::normalize(glm::cross(dv, du))};
 }
 
-/// A rectangle of texture: the patch's u leads from left to right, its v from top to bottom.
+/// A rectangle of the texture: the patch's u runs from left to right, its v from top to bottom.
 struct TextureRect {
   double left, right, top, bottom;
 };
@@ -140,8 +140,8 @@ void add_revolved(Mesh& mesh, const Profile& profile, double top, double bottom_
   for (int q = 0; q < 4; ++q) add_patch(mesh, revolve(profile, q), {q / 4.0, (q + 1) / 4.0, top, bottom_v}, shape);
 }
 
-/// Both halves of a tube, once around the texture. Where v of the texture rises along the patch, u runs the other way
-/// round, or the picture would be mirrored.
+/// Both halves of a tube, once around the texture. If the texture's v increases along the patch, u is reversed so that
+/// the texture is not mirrored.
 void add_mirrored(Mesh& mesh, const Patch& half, double top, double bottom_v, const TeapotShape& shape) {
   const bool rising = top < bottom_v;
   const double start = rising ? 1 : 0, end = rising ? 0 : 1;

@@ -25,7 +25,7 @@ Rgba pixel(const glm::dvec3& c) {
   return {float(c.r), float(c.g), float(c.b), 1};
 }
 
-/// A square picture from a colour at each pixel's middle; u to the right and v up, both 0..1.
+/// A square picture from a colour function evaluated at pixel centres; u to the right and v up, both 0..1.
 template <class Colour>
 Image paint(int size, const Colour& colour) {
   Image image(size, size);
@@ -84,7 +84,7 @@ Image make_dots(const DotsTexture& texture) {
   require("dots", "dots", texture.dots, 2, 256);
   require("dots", "radius", texture.radius, 0.01, 0.5);
   if (texture.dots % 2 != 0) throw Error(fmt::format("dots: dots {} (allowed: even numbers, 2..256)", texture.dots));
-  const double edge = 0.5 * texture.dots / texture.size;  // half a pixel, in distances of two dots
+  const double edge = 0.5 * texture.dots / texture.size;  // half a pixel, in units of the dot spacing
   return paint(texture.size, [&](double u, double v) {
     const double row = std::floor(v * texture.dots);
     const glm::dvec2 from_dot(fraction(u * texture.dots + 0.5 * std::fmod(row, 2)) - 0.5,
@@ -103,7 +103,7 @@ Image make_wood(const WoodTexture& texture) {
     const auto board = std::int64_t(across);
     const double in_board = fraction(across);
     const std::uint64_t seed = hash(texture.seed, board, 0);
-    // A trunk's rings, cut lengthwise: distance from a slowly wandering pith, in widths of a ring.
+    // Annual rings cut lengthwise: the distance from a slowly varying centre, in ring widths.
     const double wander = fractal_noise(seed, {2 * u, 1.7 * in_board}, {2, 64}, 3);
     const double rings = 7 * (in_board + 1.4 * wander + 3 * hash01(seed, 1, 0));
     const double dark = smooth(0.35, 0.95, fraction(rings)) * (1 - smooth(0.95, 1.0, fraction(rings)));
@@ -123,7 +123,7 @@ Image make_marble(const MarbleTexture& texture) {
     const glm::dvec2 p(4 * u, 4 * v);
     const double bend = fractal_noise(texture.seed, p, {4, 4}, 6) - 0.5;
     const double wave = triangle_wave(texture.bands * (u + v) + 2 * texture.turbulence * bend);
-    const double thin = wave * wave * wave * wave;  // veins are narrow, stone between them is wide
+    const double thin = wave * wave * wave * wave;  // makes veins narrow
     const double cloud = fractal_noise(texture.seed + 31, p, {4, 4}, 4);
     return glm::mix(stone * (0.85 + 0.2 * cloud), vein, 0.8 * thin);
   });

@@ -1,6 +1,5 @@
-// Pictures made by arithmetic, in linear light, row 0 at the top. Each tiles seamlessly (the grid and the dots by their
-// layout, the noises by their periods), and each gives the same bits on every machine: see noise.hpp.
-// Sides are powers of two times whatever fits: 1..8192 pixels; every measure out of range throws atelier::Error.
+// Procedural textures in linear light, row 0 at the top. Each tiles seamlessly and gives the same bits on every
+// machine: see noise.hpp. Sides are 1..8192 pixels; a parameter out of range throws atelier::Error.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +8,7 @@
 
 namespace atelier {
 
-/// Two colours by turns. The square at the lower left corner has the first.
+/// Two alternating colours. The square at the lower left corner has the first.
 struct CheckerTexture {
   int size = 256;   ///< pixels a side
   int squares = 8;  ///< along a side, 1..size
@@ -17,21 +16,21 @@ struct CheckerTexture {
 };
 Image make_checker(const CheckerTexture& texture = {});
 
-/// A texture that tells how it lies: red grows with u and green with v, thin lines mark tenths, a frame marks the
-/// border (white at the top, black at the bottom, cyan on the left, magenta on the right), and one white arrow points
-/// up, towards larger v. Mirrored, turned and cut-off textures are told apart at a glance.
+/// A texture that shows its orientation: red increases with u and green with v, thin lines mark tenths, a frame marks
+/// the border (white at the top, black at the bottom, cyan on the left, magenta on the right), and a white arrow points
+/// up, towards larger v. Makes mirroring, rotation and cropping visible.
 Image make_uv_grid(int size = 512);
 
 /// Round dots in rows, each shifted by half a step against the next.
 struct DotsTexture {
   int size = 256;
-  int dots = 4;         ///< along a side; even, so that the shifted rows close; 2..256
-  float radius = 0.3f;  ///< as a share of the distance of two dots, 0.01..0.5
+  int dots = 4;         ///< along a side; even, so that the shifted rows tile; 2..256
+  float radius = 0.3f;  ///< as a fraction of the dot spacing, 0.01..0.5
   Rgba dot{0.75f, 0.12f, 0.08f}, ground{0.85f, 0.8f, 0.7f};
 };
 Image make_dots(const DotsTexture& texture = {});
 
-/// Three pictures of one wall that fit each other pixel by pixel.
+/// Three matching textures of one wall.
 struct BrickTextures {
   Image colour;
   Image height;  ///< 0 in the deepest joint, 1 on the highest stone, in red, green and blue
@@ -39,15 +38,15 @@ struct BrickTextures {
 };
 struct BrickShape {
   int size = 512;
-  int columns = 4, rows = 8;  ///< bricks along a side; rows even, so that the bond closes; 1..64, 2..64
-  float joint = 0.06f;        ///< width of the mortar as a share of a brick's height, 0..0.4
-  float depth = 0.02f;        ///< of the relief, as a share of the texture's side (what heights 0..1 mean), 0..0.2
+  int columns = 4, rows = 8;  ///< bricks along a side; rows even, so that the bond tiles; 1..64, 2..64
+  float joint = 0.06f;        ///< width of the mortar as a fraction of a brick's height, 0..0.4
+  float depth = 0.02f;        ///< of the relief (height 1), as a fraction of the texture's side, 0..0.2
   std::uint64_t seed = 1;
 };
 /// The normals are those of the height map: n = normalize(-dh/du, -dh/dv, 1) by central differences, wrapped around.
 BrickTextures make_bricks(const BrickShape& shape = {});
 
-/// Boards: rings of a trunk cut lengthwise, drawn out along u.
+/// Boards: annual rings cut lengthwise, stretched along u.
 struct WoodTexture {
   int size = 512;
   int boards = 4;  ///< side by side along v, 1..64
@@ -55,12 +54,12 @@ struct WoodTexture {
 };
 Image make_wood(const WoodTexture& texture = {});
 
-/// White stone with veins: bands bent by noise (Perlin, "An image synthesizer", 1985), with a triangle wave for his
-/// sine.
+/// White stone with veins: bands bent by noise (Perlin, "An image synthesizer", 1985), with a triangle wave instead of
+/// his sine.
 struct MarbleTexture {
   int size = 512;
   int bands = 4;            ///< along a side, 1..64
-  float turbulence = 1.5f;  ///< how far noise bends them, in bands, 0..8
+  float turbulence = 1.5f;  ///< distortion by noise, in bands, 0..8
   std::uint64_t seed = 1;
 };
 Image make_marble(const MarbleTexture& texture = {});

@@ -1,4 +1,4 @@
-// What makes a scene fit to be drawn: one small check for each struct, each naming the first thing that is wrong.
+// Checks that a scene can be drawn: one function per struct, each of which reports the first problem.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +10,7 @@
 namespace atelier {
 namespace {
 
-/// Throws "scene 'hall': node 3 ('door'): ..."; carries the first two parts so that the checks read as one line each.
+/// Throws "scene 'hall': node 3 ('door'): ..."; stores the first two parts.
 struct Context {
   std::string scene, thing;
 
@@ -44,7 +44,7 @@ void check_index(const Context& context, const char* what, int index, std::size_
 
 void check_mesh(const Context& context, const Mesh& mesh) {
   if (mesh.indices.size() % 3 != 0)
-    context.fail(fmt::format("{} indices, which is no multiple of 3", mesh.indices.size()));
+    context.fail(fmt::format("{} indices, which is not a multiple of 3", mesh.indices.size()));
   if (!mesh.tangents.empty() && mesh.tangents.size() != mesh.vertices.size())
     context.fail(fmt::format("{} tangents for {} vertices", mesh.tangents.size(), mesh.vertices.size()));
   for (const std::uint32_t index : mesh.indices)
@@ -81,7 +81,7 @@ void check_node(const Context& context, const Node& node, const Scene& scene) {
   context.require(finite(node.translation) && finite(node.scale), "translation and scale must be finite");
   context.require(finite(node.rotation_axis) && std::isfinite(node.rotation_angle), "the rotation must be finite");
   context.require(node.rotation_angle == 0 || node.rotation_axis != glm::vec3(0),
-                  "the rotation's axis is zero though its angle is not");
+                  "the rotation's axis is zero but its angle is not");
   context.require(!node.matrix || finite(*node.matrix), "the matrix must be finite");
   if (!node.mesh) return;
   check_index(context, "mesh", *node.mesh, scene.meshes.size());
@@ -115,7 +115,7 @@ void check_camera(const Context& context, const Camera& camera) {
     return;
   }
   context.require(camera.near > 0, "near must be above zero in a perspective projection");
-  // The limit is meant as 179 degrees exactly; the slack forgives the last bit of a conversion from degrees.
+  // The limit is exactly 179 degrees; the tolerance allows for rounding in a conversion from degrees.
   constexpr float widest = 179.0f / 180.0f * std::numbers::pi_v<float> + 1e-6f;
   if (!(camera.fov_y > 0 && camera.fov_y <= widest))
     context.fail(

@@ -8,7 +8,7 @@ namespace {
 
 constexpr float dielectric = 0.04f;  // reflectance of an index of refraction of 1.5
 
-/// The texel of `image` at the middle of texel (x, y) of a picture of another size.
+/// The texel of `image` at the centre of texel (x, y) of a picture of another size.
 const Rgba& texel_at(const Image& image, int x, int y, const Image& like) {
   return image.at(int((x + 0.5) * image.width() / like.width()), int((y + 0.5) * image.height() / like.height()));
 }

@@ -50,7 +50,7 @@ T value_at(const char* bytes) {
 }
 
 float float_at(const char* bytes, ComponentType type, bool normalized) {
-  // Signed integers have one value more below zero than above: it counts as -1, too.
+  // Signed integers have one more negative than positive value: it is clamped to -1.
   switch (type) {
     case byte: {
       const auto v = float(value_at<std::int8_t>(bytes));
@@ -82,14 +82,14 @@ std::uint32_t index_at(const char* bytes, ComponentType type) {
   }
 }
 
-/// A run of elements inside a view, checked to lie in it.
+/// A range of elements that has been checked to lie inside a view.
 struct Run {
   const char* first;
   std::size_t stride;
   const char* element(std::size_t i) const { return first + i * stride; }
 };
 
-/// `holder` carries bufferView and byteOffset: an accessor, or a part of a sparse one (which knows no stride).
+/// `holder` carries bufferView and byteOffset: an accessor, or a part of a sparse one (which has no stride).
 Run find_run(const GltfFile& file, const JsonField& holder, std::size_t count, std::size_t element, bool strided) {
   const int view_index = holder.at("bufferView").index(file.root().size_or_zero("bufferViews"));
   const std::string_view view = view_bytes(file, view_index);
@@ -121,7 +121,7 @@ Accessor find_accessor(const GltfFile& file, int index) {
   return {field, accessor_count(file, index), component_type(field), components_of(field)};
 }
 
-/// Calls put(element index, bytes) for every element that the file gives, first the dense ones, then the sparse ones.
+/// Calls put(element index, bytes) for every element in the file, first the dense ones, then the sparse ones.
 template <class Put>
 void for_each_element(const GltfFile& file, const Accessor& accessor, const Put& put) {
   const auto sparse = accessor.field.find("sparse");

@@ -16,7 +16,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF's binary data is little-endian, and copied as it is");
 
-constexpr std::size_t largest_document = std::size_t(512) << 20;  // of JSON text; in memory it grows about tenfold
+constexpr std::size_t largest_document = std::size_t(512) << 20;  // of JSON text; needs about ten times as much memory
 
 std::uint32_t word_at(std::string_view bytes, std::size_t offset) {
   std::uint32_t word;
@@ -57,7 +57,7 @@ void check_version(const GltfFile& file) {
   if (!version.starts_with("2.")) file.root().fail(fmt::format("glTF of version '{}' (allowed: 2.x)", version));
 }
 
-/// What is understood, and what may be left out without changing the shape of the model.
+/// Extensions that are supported, or that can be ignored without changing the shape of the model.
 bool can_do_without(const std::string& extension) {
   static constexpr const char* understood[] = {"KHR_lights_punctual", "KHR_materials_pbrSpecularGlossiness",
                                                "KHR_texture_transform", "KHR_mesh_quantization"};
@@ -76,7 +76,7 @@ void check_extensions(const GltfFile& file) {
 std::string load_buffer(const GltfFile& file, const JsonField& buffer, std::size_t index, std::string_view binary) {
   const auto uri = buffer.find("uri");
   if (!uri) {
-    // Only the first buffer may be the file's own chunk. Others without data are placeholders of extensions.
+    // Only the first buffer may be the file's binary chunk. Others without data are placeholders for extensions.
     return index == 0 ? std::string(binary) : std::string();
   }
   try {

@@ -1,4 +1,4 @@
-// A glTF 2.0 file as it lies on the disk: its JSON document and its buffers, checked and in memory.
+// A glTF 2.0 file in memory: its JSON document and its buffers, checked.
 #pragma once
 
 #include <filesystem>
@@ -22,11 +22,11 @@ struct GltfFile {
   JsonField root() const { return {*document, name}; }
 };
 
-/// Reads and parses a .gltf or .glb file (told apart by its first bytes) and loads its buffers. Throws Error where it
-/// is not glTF 2.x, needs an extension that is not supported, or a buffer is missing or too short.
+/// Reads and parses a .gltf or .glb file (distinguished by its first bytes) and loads its buffers. Throws Error if it
+/// is not glTF 2.x, needs an unsupported extension, or a buffer is missing or too short.
 GltfFile open_gltf(const std::filesystem::path& path, Notes& notes);
 
-/// The bytes of bufferViews[index]. Throws Error naming the view where it reaches out of its buffer.
+/// The bytes of bufferViews[index]. Throws Error naming the view if it exceeds its buffer.
 std::string_view view_bytes(const GltfFile& file, int index);
 
 }  // namespace atelier::scene_import

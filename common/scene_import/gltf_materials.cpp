@@ -13,7 +13,7 @@ namespace atelier::scene_import {
 namespace {
 
 glm::vec3 colour(const std::vector<double>& numbers) {
-  // Negative light is no light; glTF allows 0..1 only.
+  // glTF allows only 0..1; clamp negative values.
   return glm::max(glm::vec3(numbers[0], numbers[1], numbers[2]), glm::vec3(0));
 }
 
@@ -23,7 +23,7 @@ std::optional<JsonField> extension(const JsonField& field, const char* name) {
 }
 
 Wrap wrap_of(const JsonField& sampler, const char* key) {
-  switch (sampler.integer_or(key, 0, 1 << 16, 10497)) {  // OpenGL's numbers, as glTF has them
+  switch (sampler.integer_or(key, 0, 1 << 16, 10497)) {  // glTF uses OpenGL's constants
     case 33071:
       return Wrap::clamp_to_edge;
     case 33648:
@@ -53,7 +53,7 @@ int GltfMaterials::material(std::optional<int> index) {
   if (index) {
     material = make(file_.root().at("materials")[std::size_t(*index)]);
   } else {
-    const auto [diffuse, specular] = of_metallic(glm::vec3(0.8f), 0);  // white as the standard has it would glare
+    const auto [diffuse, specular] = of_metallic(glm::vec3(0.8f), 0);  // the standard's white would be too bright
     material = {.name = "default", .diffuse = diffuse, .specular = specular, .exponent = exponent_of_roughness(0.7)};
   }
   scene_.materials.push_back(std::move(material));
@@ -73,7 +73,7 @@ Material GltfMaterials::make(const JsonField& field) {
     strength = std::max(stronger->number_or("emissiveStrength", 1), 0.0);
   material.emission = float(strength) * colour(field.numbers_or("emissiveFactor", {0, 0, 0}));
   if (const auto info = field.find("emissiveTexture"); info && material.emission != glm::vec3(0)) {
-    // A material's emission has no picture here: the mean keeps the sum of the light.
+    // A material here has no emission texture: its mean keeps the total emitted light.
     if (const auto glow = picture(*info, Encoding::linear))
       material.emission *= glm::vec3(mean_of_channel(*glow, 0), mean_of_channel(*glow, 1), mean_of_channel(*glow, 2));
   }
@@ -100,7 +100,7 @@ void GltfMaterials::read_metallic_roughness(Material& material, const JsonField&
 
   const bool metal_varies = rough_picture && metallic > 0;
   if (!metal_varies && (metallic == 0 || !base_info)) {
-    // One metallic for all of the surface: the factors carry it, and the picture stays shared.
+    // The metallic value is constant: apply it to the factors, so that the texture can be shared.
     const auto [diffuse, specular] = of_metallic(base, metallic);
     material.diffuse = diffuse;
     material.specular = specular;
@@ -142,7 +142,7 @@ std::optional<Image> GltfMaterials::picture(const JsonField& texture_info, Encod
   const auto source = texture.index_or_none("source", file_.root().size_or_zero("images"));
   if (!source) {
     file_.notes->add(
-        fmt::format("{}: textures[{}] is left out: it names no picture that is understood", file_.name, index));
+        fmt::format("{}: textures[{}] is left out: it has no picture in a supported format", file_.name, index));
     return {};
   }
   const JsonField image = file_.root().at("images")[std::size_t(*source)];
@@ -172,10 +172,11 @@ TextureIndex GltfMaterials::add_texture(const JsonField& texture_info, Image pix
     texture.wrap = wrap_of(how, "wrapS");
     texture.filter = filter_of(how);
     if (wrap_of(how, "wrapT") != texture.wrap)
-      file_.notes->add(fmt::format("{}: samplers[{}] wraps differently along u and v; u counts", file_.name, *sampler));
+      file_.notes->add(
+          fmt::format("{}: samplers[{}] wraps differently along u and v; the mode of u is used", file_.name, *sampler));
   }
   if (texture_info.integer_or("texCoord", 0, 1 << 16, 0) != 0)
-    file_.notes->add(fmt::format("{}: textures[{}] asks for a second set of texture coordinates; the first is taken",
+    file_.notes->add(fmt::format("{}: textures[{}] needs a second set of texture coordinates; the first is used",
                                  file_.name, index));
   return add_limited_texture(scene_, std::move(texture));
 }

@@ -11,21 +11,21 @@
 
 namespace atelier::scene_import {
 
-/// How a texture's coordinates are changed before it is looked up: KHR_texture_transform.
+/// A transform of texture coordinates: KHR_texture_transform.
 struct TexcoordTransform {
   glm::dvec2 offset{0}, scale{1};
   double rotation = 0;  ///< radians, counter-clockwise in glTF's coordinates, where v runs down
 };
 
-/// Turns materials into Blinn-Phong (see blinn_phong_of.hpp), adding each picture to the scene once for each use.
+/// Turns materials into Blinn-Phong (see blinn_phong_of.hpp), adding each texture to the scene once per use.
 class GltfMaterials {
  public:
   GltfMaterials(const GltfFile& file, Scene& scene) : file_(file), scene_(scene) {}
 
-  /// The scene's index of materials[index], or of glTF's default material. Made at the first call.
+  /// The scene's index of materials[index], or of glTF's default material. Created at the first call.
   int material(std::optional<int> index);
 
-  /// The transform of the texture that carries the material's colour; it is taken for all of its textures.
+  /// The transform of the material's colour texture; it is used for all of its textures.
   TexcoordTransform transform(std::optional<int> index) const;
 
  private:
@@ -39,7 +39,7 @@ class GltfMaterials {
   const GltfFile& file_;
   Scene& scene_;
   std::map<int, int> made_;                                  ///< materials[] -> Scene::materials
-  std::map<std::pair<int, Encoding>, int> shared_textures_;  ///< textures[] as they are -> Scene::textures
+  std::map<std::pair<int, Encoding>, int> shared_textures_;  ///< unmodified textures[] -> Scene::textures
 };
 
 }  // namespace atelier::scene_import

@@ -13,7 +13,7 @@ namespace {
 
 enum class Mode { points, lines, line_loop, line_strip, triangles, strip, fan };
 
-/// Three indices a triangle from a run of corners; windings of strips and fans as OpenGL has them.
+/// Converts indices of strips and fans to three per triangle, with OpenGL's winding.
 std::vector<std::uint32_t> take_apart(Mode mode, std::vector<std::uint32_t> corners) {
   if (mode == Mode::triangles) {
     corners.resize(corners.size() / 3 * 3);
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> take_apart(Mode mode, std::vector<std::uint32_t> corn
   return triangles;
 }
 
-/// The accessor behind an attribute, or nothing where it is missing or of another length than the positions.
+/// The accessor of an attribute; none if it is missing or has another length than the positions.
 std::optional<int> attribute(const GltfFile& file, const JsonField& primitive, const char* name, std::size_t count) {
   const JsonField attributes = primitive.at("attributes");
   const auto index = attributes.index_or_none(name, file.root().size_or_zero("accessors"));
@@ -49,7 +49,7 @@ void read_positions(Mesh& mesh, const JsonField& primitive, const std::vector<fl
   }
 }
 
-/// KHR_texture_transform's matrix: translation * rotation * scale. Then v is turned up.
+/// KHR_texture_transform's matrix: translation * rotation * scale. Then v is flipped.
 glm::vec2 transformed(const TexcoordTransform& t, const glm::dvec2& uv) {
   const glm::dvec2 scaled = uv * t.scale;
   const double s = std::sin(t.rotation), c = std::cos(t.rotation);
@@ -70,14 +70,15 @@ void read_texcoords(Mesh& mesh, const GltfFile& file, const std::vector<float>& 
     file.notes->add(fmt::format("{}: {} texture coordinates were not finite and became 0", file.name, broken));
 }
 
-/// Tangents are kept whole or not at all: a few broken ones would light a surface in a way that nobody can explain.
+/// Keeps either all tangents or none: a few invalid ones would give unexplainable lighting.
 void read_tangents(Mesh& mesh, const GltfFile& file, const std::vector<float>& values) {
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const glm::vec3 t(values[4 * i], values[4 * i + 1], values[4 * i + 2]);
     const float length = glm::length(t);
     if (!(length > 1e-6f) || !std::isfinite(length)) {
       mesh.tangents.clear();
-      file.notes->add(fmt::format("{}: tangents are left out: that of vertex {} is no direction", file.name, i));
+      file.notes->add(
+          fmt::format("{}: tangents are left out: the tangent of vertex {} has no direction", file.name, i));
       return;
     }
     mesh.tangents.emplace_back(t / length, values[4 * i + 3] < 0 ? -1.0f : 1.0f);
@@ -117,7 +118,7 @@ std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primit
         fmt::format("{}: {} are left out", file.name, position ? "points and lines" : "shapes without positions"));
     return {};
   }
-  // Limits are checked on the numbers that the file gives, before anything of that size is made.
+  // Check the limits on the file's counts before allocating.
   const std::size_t count = accessor_count(file, *position);
   const auto indices = primitive.index_or_none("indices", accessors);
   const std::size_t corners = indices ? accessor_count(file, *indices) : count;
@@ -138,9 +139,9 @@ std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primit
   const std::vector<float> normals = read_accessor(file, *normal, 3);
   for (std::size_t i = 0; i < count; ++i)
     mesh.vertices[i].normal = {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
-  if (const std::size_t mended = mend_normals(mesh))
+  if (const std::size_t fixed = fix_normals(mesh))
     file.notes->add(
-        fmt::format("{}: {} normals were no directions and were made from the triangles", file.name, mended));
+        fmt::format("{}: {} normals had no direction and were computed from the triangles", file.name, fixed));
   if (const auto tangent = attribute(file, primitive, "TANGENT", count))
     read_tangents(mesh, file, read_accessor(file, *tangent, 4));
   return mesh;

@@ -9,17 +9,17 @@
 
 namespace atelier::scene_import {
 
-/// What all primitives of a file share: how much of the limits is left.
+/// Vertices and triangles of all primitives of a file, checked against the limits.
 struct Budget {
   std::size_t vertices = 0, triangles = 0;  ///< used so far
-  /// Throws Error where the limits of scene_import.hpp are passed.
+  /// Throws Error if the limits of scene_import.hpp are exceeded.
   void use(const JsonField& where, std::size_t more_vertices, std::size_t more_triangles);
 };
 
-/// The triangles of a primitive, strips and fans taken apart; nothing where it has none (points, lines, no positions).
-/// Texture coordinates are turned from glTF's (v down) to ours (v up) after `transform`. Missing normals become flat,
-/// as the standard asks; broken ones are mended. Throws Error at an index out of range or a position that is not
-/// finite.
+/// The triangles of a primitive, with strips and fans converted; none if it has none (points, lines, no positions).
+/// Texture coordinates are converted from glTF's (v down) to ours (v up) after `transform`. Missing normals become
+/// flat, as the standard requires; invalid ones are fixed. Throws Error for an index out of range or a position that is
+/// not finite.
 std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primitive, const TexcoordTransform& transform,
                                    Budget& budget);
 

@@ -19,7 +19,7 @@ struct Part {
   int mesh, material;  ///< in the scene
 };
 
-/// Walks the file once, node by node, and fills the scene.
+/// Traverses the file once, node by node, and fills the scene.
 class GltfReader {
  public:
   GltfReader(GltfFile file, Imported& result)
@@ -55,7 +55,7 @@ void GltfReader::read() {
   std::vector<bool> seen(count, false);
   std::vector<Step> steps;
   for (const int root : root_nodes()) steps.push_back({root, -1});
-  // A list of what is still to do rather than recursion: a chain of a million nodes must not exhaust the stack.
+  // An explicit stack instead of recursion: a chain of a million nodes must not overflow the call stack.
   while (!steps.empty()) {
     const Step step = steps.back();
     steps.pop_back();
@@ -80,7 +80,7 @@ std::vector<int> GltfReader::root_nodes() const {
     for (std::size_t i = 0; nodes && i < nodes->size(); ++i) roots.push_back((*nodes)[i].index(count));
     return roots;
   }
-  // A library of parts without a scene: whatever is nobody's child.
+  // No scene: all nodes without a parent.
   std::vector<bool> is_child(count, false);
   for (std::size_t n = 0; n < count; ++n) {
     const auto children = root.at("nodes")[n].find("children");
@@ -112,14 +112,14 @@ void GltfReader::place(Node& node, const JsonField& field) const {
   if (const auto matrix = field.find("matrix")) {
     const std::vector<double> m = matrix->numbers(16);
     node.matrix.emplace();
-    for (int i = 0; i < 16; ++i) (*node.matrix)[i / 4][i % 4] = float(m[std::size_t(i)]);  // both by columns
+    for (int i = 0; i < 16; ++i) (*node.matrix)[i / 4][i % 4] = float(m[std::size_t(i)]);  // both column-major
     return;
   }
   const auto t = field.numbers_or("translation", {0, 0, 0}), s = field.numbers_or("scale", {1, 1, 1});
   const auto q = field.numbers_or("rotation", {0, 0, 0, 1});  // x, y, z, w
   node.translation = {t[0], t[1], t[2]};
   node.scale = glm::vec3(s[0], s[1], s[2]);
-  // A unit quaternion is (axis sin(angle/2), cos(angle/2)); atan2 forgives one that is not quite unit.
+  // A unit quaternion is (axis sin(angle/2), cos(angle/2)); atan2 also works if it is not exactly unit length.
   const glm::dvec3 v(q[0], q[1], q[2]);
   const double sine = glm::length(v);
   if (sine == 0 && q[3] == 0) field.fail("the rotation is a quaternion of length zero");
@@ -147,7 +147,7 @@ const std::vector<Part>& GltfReader::parts_of(int mesh) {
 }
 
 void GltfReader::add_parts(int node, int mesh) {
-  // The first part hangs on the node itself, each further one on a child that does not move.
+  // The first part belongs to the node itself, each further one to a child with identity transform.
   const std::vector<Part>& parts = parts_of(mesh);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int holder =
@@ -176,7 +176,7 @@ void GltfReader::read_views_and_lights() {
 void GltfReader::read_camera(const JsonField& field, const glm::dmat4& world) {
   const glm::dvec3 ahead = -glm::dvec3(world[2]), up(world[1]);
   if (!(glm::length(ahead) > 0) || !(glm::length(up) > 0)) {
-    file_.notes->add(fmt::format("{}: a camera is left out: its node scales it to nothing", file_.name));
+    file_.notes->add(fmt::format("{}: a camera is left out: its node's scale is zero", file_.name));
     return;
   }
   Camera camera;
@@ -192,11 +192,11 @@ void GltfReader::read_camera(const JsonField& field, const glm::dmat4& world) {
       lens.at("yfov").fail(fmt::format("{} radians (allowed: above 0, at most 179 degrees)", camera.fov_y));
     camera.near = float(lens.at("znear").number());
     if (!(camera.near > 0)) lens.at("znear").fail(fmt::format("{} (allowed: above 0)", camera.near));
-    camera.far = float(lens.number_or("zfar", 0));  // 0: endless, made finite when the scene's size is known
+    camera.far = float(lens.number_or("zfar", 0));  // 0: infinite; set when the scene's size is known
   } else if (type == "orthographic") {
     const JsonField lens = field.at("orthographic");
     camera.projection = Projection::orthographic;
-    camera.height = float(2 * std::abs(lens.at("ymag").number()));  // ymag is half of what is seen
+    camera.height = float(2 * std::abs(lens.at("ymag").number()));  // ymag is half the height
     camera.near = float(lens.at("znear").number());
     camera.far = float(lens.at("zfar").number());
     if (!(camera.height > 0)) lens.at("ymag").fail("it must not be zero");
@@ -207,7 +207,7 @@ void GltfReader::read_camera(const JsonField& field, const glm::dmat4& world) {
   result_.has_camera = true;
 }
 
-/// KHR_lights_punctual: intensity in candela (point, spot) or lux (directional), taken as radiance at one metre.
+/// KHR_lights_punctual: intensity in candela (point, spot) or lux (directional), used as radiance at one metre.
 void GltfReader::read_light(const JsonField& field, const glm::dmat4& world) {
   Light light{.name = field.text_or("name", "light")};
   const std::string type = field.at("type").text();

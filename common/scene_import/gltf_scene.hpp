@@ -1,4 +1,4 @@
-// A glTF 2.0 file as a Scene: nodes, cameras and lights; meshes and materials come from their own readers.
+// A glTF 2.0 file as a Scene: nodes, cameras and lights; other files read meshes and materials.
 #pragma once
 
 #include <filesystem>
@@ -8,13 +8,13 @@
 
 namespace atelier::scene_import {
 
-/// What a reader hands over: the scene as the file has it, and whether it brought a camera.
+/// A reader's result: the file's scene, and whether it has a camera.
 struct Imported {
   Scene scene;
   bool has_camera = false;
 };
 
-/// The file's default scene (or its first, or all root nodes where it has none). Throws Error.
+/// The file's default scene (or its first, or all root nodes if it has no scene). Throws Error.
 Imported read_gltf(const std::filesystem::path& path, Notes& notes);
 
 }  // namespace atelier::scene_import

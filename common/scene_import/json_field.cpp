@@ -14,7 +14,7 @@ std::optional<JsonField> JsonField::find(const char* key) const {
   if (!value_->is_object()) fail(fmt::format("found: {}, needed: an object", value_->type_name()));
   const auto member = value_->find(key);
   if (member == value_->end()) return {};
-  return JsonField(*member, *file_, way_.empty() ? key : way_ + "." + key);
+  return JsonField(*member, *file_, path_.empty() ? key : path_ + "." + key);
 }
 
 JsonField JsonField::at(const char* key) const {
@@ -24,7 +24,7 @@ JsonField JsonField::at(const char* key) const {
 
 JsonField JsonField::operator[](std::size_t index) const {
   if (index >= size()) fail(fmt::format("element {} of {}", index, size()));
-  return JsonField((*value_)[index], *file_, fmt::format("{}[{}]", way_, index));
+  return JsonField((*value_)[index], *file_, fmt::format("{}[{}]", path_, index));
 }
 
 std::size_t JsonField::size() const {
@@ -41,7 +41,7 @@ double JsonField::number() const {
 
 std::int64_t JsonField::integer(std::int64_t low, std::int64_t high) const {
   const double value = number();
-  // Limits stay far below 2^53, where doubles hold every integer.
+  // Limits are far below 2^53, up to which doubles hold every integer.
   if (value != std::floor(value) || value < double(low) || value > double(high))
     fail(fmt::format("{} (allowed: {}..{})", value, low, high));
   return std::int64_t(value);
@@ -108,14 +108,14 @@ std::size_t JsonField::size_or_zero(const char* key) const {
 }
 
 void JsonField::fail(const std::string& complaint) const {
-  throw Error(way_.empty() ? fmt::format("{}: {}", *file_, complaint)
-                           : fmt::format("{}: {}: {}", *file_, way_, complaint));
+  throw Error(path_.empty() ? fmt::format("{}: {}", *file_, complaint)
+                            : fmt::format("{}: {}: {}", *file_, path_, complaint));
 }
 
 namespace {
 
-/// How deep brackets nest outside of strings. Whoever walks a document recurses as deep. (The library's parser could
-/// tell by a callback, but then takes the square of the number of siblings.)
+/// The nesting depth of brackets outside strings, which limits recursion. (A callback of the library's parser could
+/// report it, but takes time quadratic in the number of siblings.)
 int nesting(std::string_view text) {
   int depth = 0, deepest = 0;
   bool in_string = false;
@@ -141,9 +141,9 @@ nlohmann::json parse_json(std::string_view text, const std::string& file) {
   try {
     return nlohmann::json::parse(text);
   } catch (const nlohmann::json::parse_error& error) {
-    throw Error(fmt::format("{}: no valid JSON (at byte {})", file, error.byte));
+    throw Error(fmt::format("{}: not valid JSON (at byte {})", file, error.byte));
   } catch (const nlohmann::json::exception&) {
-    throw Error(fmt::format("{}: no valid JSON (a number is out of range)", file));
+    throw Error(fmt::format("{}: not valid JSON (a number is out of range)", file));
   }
 }
 

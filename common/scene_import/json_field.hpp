@@ -1,5 +1,5 @@
-// JSON from a file that nobody vouches for: each value is read by its type and range, and knows the way to itself, so
-// that a complaint reads "model.gltf: accessors[3].count: -4 (allowed: 1..50000000)".
+// JSON from an untrusted file: each value is read with its type and range and knows its path, so that an error reads
+// "model.gltf: accessors[3].count: -4 (allowed: 1..50000000)".
 #pragma once
 
 #include <cstdint>
@@ -11,15 +11,16 @@
 
 namespace atelier::scene_import {
 
-/// A value inside a document, which must outlive it. Everything throws Error where the value is not what was asked for.
+/// A value inside a document, which must outlive it. All functions throw Error if the value has another type or is out
+/// of range.
 class JsonField {
  public:
   /// The document itself; `file` names it in messages and must outlive the field.
   JsonField(const nlohmann::json& value, const std::string& file) : value_(&value), file_(&file) {}
 
-  /// A member of an object; nothing where it is missing.
+  /// A member of an object; none if it is missing.
   std::optional<JsonField> find(const char* key) const;
-  /// A member that must be there.
+  /// A required member.
   JsonField at(const char* key) const;
   /// An element of an array, below size().
   JsonField operator[](std::size_t index) const;
@@ -30,9 +31,9 @@ class JsonField {
   int index(std::size_t count) const;                               ///< 0 .. count - 1
   const std::string& text() const;
   bool flag() const;
-  std::vector<double> numbers(std::size_t count) const;  ///< an array of exactly so many finite numbers
+  std::vector<double> numbers(std::size_t count) const;  ///< an array of exactly `count` finite numbers
 
-  // The same for members that may be missing.
+  // The same for optional members.
   double number_or(const char* key, double fallback) const;
   std::int64_t integer_or(const char* key, std::int64_t low, std::int64_t high, std::int64_t fallback) const;
   bool flag_or(const char* key, bool fallback) const;
@@ -41,19 +42,19 @@ class JsonField {
   std::optional<int> index_or_none(const char* key, std::size_t count) const;
   std::size_t size_or_zero(const char* key) const;  ///< of an array
 
-  /// Throws Error "file: way: complaint".
+  /// Throws Error "file: path: complaint".
   [[noreturn]] void fail(const std::string& complaint) const;
 
  private:
-  JsonField(const nlohmann::json& value, const std::string& file, std::string way)
-      : value_(&value), file_(&file), way_(std::move(way)) {}
+  JsonField(const nlohmann::json& value, const std::string& file, std::string path)
+      : value_(&value), file_(&file), path_(std::move(path)) {}
 
   const nlohmann::json* value_;
   const std::string* file_;
-  std::string way_;  ///< "accessors[3].count"
+  std::string path_;  ///< "accessors[3].count"
 };
 
-/// Parses a document. Throws Error naming `file` where it is no JSON, or nested deeper than 64.
+/// Parses a document. Throws Error naming `file` if it is not JSON, or nested deeper than 64.
 nlohmann::json parse_json(std::string_view text, const std::string& file);
 
 }  // namespace atelier::scene_import

@@ -6,19 +6,19 @@
 namespace atelier::scene_import {
 namespace {
 
-/// The normal of a triangle, as long as twice its area.
+/// The normal of a triangle; its length is twice the area.
 glm::dvec3 area_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   return glm::cross(b - a, c - a);
 }
 
-/// Scales by the largest component first: lengths of 1e-200 and 1e200 have no square.
+/// Normalises; scales by the largest component first, so that squares of 1e-200 and 1e200 do not underflow or overflow.
 glm::vec3 direction_or_up(const glm::dvec3& v) {
   const double size = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   if (!(size > 0) || !std::isfinite(size)) return {0, 1, 0};
   return glm::vec3(glm::normalize(v / size));
 }
 
-/// For each position, the facets that touch it: those of position p are list[first[p] .. first[p + 1]).
+/// The facets at each position: those of position p are list[first[p] .. first[p + 1]).
 struct Around {
   std::vector<std::size_t> first;
   std::vector<std::uint32_t> list;
@@ -35,7 +35,7 @@ Around facets_around(std::size_t positions, const std::vector<Facet>& facets) {
   return around;
 }
 
-/// The angle of a triangle at corner a, in radians; 0 where the triangle has no area.
+/// The angle of a triangle at corner a, in radians; 0 if the triangle has no area.
 double corner_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const double sine = glm::length(area_normal(a, b, c));
   return sine == 0 ? 0 : std::atan2(sine, glm::dot(b - a, c - a));
@@ -62,8 +62,8 @@ std::vector<std::array<glm::vec3, 3>> facet_normals(const std::vector<glm::vec3>
     }
   }
 
-  // Looking at every neighbour of every neighbour takes the square of how many meet at a corner. Hundreds meet at the
-  // tip of a cone; where even more do, all are averaged.
+  // Comparing all pairs of neighbours at a corner takes quadratic time. Hundreds meet at the tip of a cone; if there
+  // are even more, all are averaged.
   constexpr std::size_t most_neighbours = 512;
   const Around around = facets_around(positions.size(), facets);
   std::vector<std::array<glm::vec3, 3>> normals(facets.size());
@@ -107,7 +107,7 @@ void make_flat(Mesh& mesh) {
   for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = std::uint32_t(i);
 }
 
-std::size_t mend_normals(Mesh& mesh) {
+std::size_t fix_normals(Mesh& mesh) {
   const auto is_direction = [](const glm::vec3& n) {
     const float size = glm::dot(n, n);
     return std::isfinite(size) && size > 1e-12f;

@@ -1,4 +1,4 @@
-// What an importer mended, in words.
+// An importer's messages about what it fixed or left out.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace atelier::scene_import {
 
-/// Collects sentences; each once, a hundred at most, so that a file cannot flood the terminal.
+/// Collects sentences: no duplicates, at most a hundred, so that a file cannot flood the terminal.
 class Notes {
  public:
   void add(std::string sentence) {

@@ -32,7 +32,7 @@ class ObjParser {
       else if (keyword == "vn")
         add_normal();
       else if (keyword == "f" || keyword == "fo")
-        add_face();  // fo: the word of the format's first version
+        add_face();  // fo: the keyword of the format's first version
       else if (keyword == "o" || keyword == "g")
         object_ = place_of(lines_.rest(), file_.objects, object_places_);
       else if (keyword == "usemtl")
@@ -68,12 +68,12 @@ class ObjParser {
     file_.normals.emplace_back(x, y, z);
   }
 
-  /// From 1 counted from the first element of the list, or from -1 counted back from its present end.
+  /// 1 is the first element of the list, -1 its last element so far.
   int index(std::string_view text, const char* what, std::size_t count) {
     long long value = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (problem != std::errc() || end != text.data() + text.size())
-      lines_.fail(fmt::format("'{}' is no {} number", text.substr(0, 40), what));
+      lines_.fail(fmt::format("'{}' is not a {} number", text.substr(0, 40), what));
     const long long place = value > 0 ? value - 1 : (long long)(count) + value;
     if (value == 0 || place < 0 || place >= (long long)(count))
       lines_.fail(fmt::format("{} {} of {}", what, value, count));

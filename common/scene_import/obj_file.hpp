@@ -1,4 +1,4 @@
-// Wavefront OBJ as it lies on the disk: lists of numbers, and faces that point into them.
+// The content of a Wavefront OBJ file: lists of numbers, and faces that index them.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace atelier::scene_import {
 
-/// A corner of a face: places in ObjFile's lists, -1 for none.
+/// A corner of a face: indices into ObjFile's lists, -1 for none.
 struct ObjCorner {
   int position = -1, texcoord = -1, normal = -1;
 };
@@ -23,18 +23,18 @@ struct ObjFace {
 
 struct ObjFile {
   std::vector<glm::vec3> positions;  ///< all finite
-  std::vector<glm::vec3> normals;    ///< as they are: zero and not finite included
+  std::vector<glm::vec3> normals;    ///< unchecked: may be zero or not finite
   std::vector<glm::vec2> texcoords;
   std::vector<ObjCorner> corners;
   std::vector<ObjFace> faces;
-  std::vector<std::string> objects;    ///< names of o and g; the first is the file's own
+  std::vector<std::string> objects;    ///< names of o and g; the first is the file's name
   std::vector<std::string> materials;  ///< names of usemtl
   std::vector<std::string> libraries;  ///< names of mtllib
 };
 
-/// Parses; faces with fewer than three corners are left out, as are points, lines and free-form surfaces. Throws Error
-/// "file:line: ..." at a number that is none, a position that is not finite, an index out of range, a face of more than
-/// 10 000 corners, text that is not UTF-8 or ASCII, and past the limits of scene_import.hpp.
+/// Parses the file; skips faces with fewer than three corners, points, lines and free-form surfaces. Throws Error
+/// "file:line: ..." for an invalid number, a position that is not finite, an index out of range, a face of more than 10
+/// 000 corners, text that is not UTF-8 or ASCII, or if the limits of scene_import.hpp are exceeded.
 ObjFile read_obj_file(const std::filesystem::path& path);
 
 }  // namespace atelier::scene_import

@@ -14,7 +14,8 @@
 namespace atelier::scene_import {
 namespace {
 
-/// One number counts for all three channels. Broken colours are black: a material is no reason to refuse a model.
+/// A single number sets all three channels. Invalid colours become black: a material should not prevent loading a
+/// model.
 glm::vec3 read_colour(TextLines& lines, const glm::vec3& fallback) {
   const auto r = lines.number();
   if (!r) return fallback;
@@ -24,7 +25,7 @@ glm::vec3 read_colour(TextLines& lines, const glm::vec3& fallback) {
 }
 
 /// Options come before the name, each with a known number of values (-s, -o and -t with one to three numbers). The name
-/// is the rest of the line and may hold blanks.
+/// is the rest of the line and may contain spaces.
 MtlPicture read_picture(TextLines& lines) {
   MtlPicture picture;
   std::string_view rest = lines.rest();
@@ -79,12 +80,12 @@ void read_statement(const std::string& keyword, TextLines& lines, MtlMaterial& m
 }
 
 bool is_grey(const Image& image) {
-  constexpr float step = 1.5f / 255;  // JPEG leaves grey pictures a shade of colour
+  constexpr float step = 1.5f / 255;  // JPEG slightly tints grey pictures
   return std::ranges::all_of(image.pixels(),
                              [](const Rgba& p) { return std::abs(p.r - p.g) <= step && std::abs(p.g - p.b) <= step; });
 }
 
-/// Adds the pictures of one material, sharing those that other materials use in the same way.
+/// Adds one material's textures; shares those that other materials use in the same way.
 struct PictureLoader {
   const std::filesystem::path& folder;
   Scene& scene;

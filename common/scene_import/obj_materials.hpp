@@ -11,13 +11,13 @@
 
 namespace atelier::scene_import {
 
-/// A picture as an MTL file names it.
+/// A texture reference in an MTL file.
 struct MtlPicture {
   std::string file;  ///< empty: none
   bool clamp = false;
 };
 
-/// A material as an MTL file has it. Colours count as linear.
+/// A material in an MTL file. Colours are assumed to be linear.
 struct MtlMaterial {
   glm::vec3 kd{0.8f}, ks{0}, ke{0};
   float ns = 0;
@@ -25,14 +25,14 @@ struct MtlMaterial {
   MtlPicture map_kd, map_ks, bump, normal, displacement;
 };
 
-/// Reads a library below `folder` into `materials`, by name. A library that is not there is noted; throws Error
-/// "file:line: ..." where it is there and broken.
+/// Reads a library below `folder` into `materials`, by name. Adds a note if it is missing; throws Error "file:line:
+/// ..." if it is invalid.
 void read_mtl(const std::filesystem::path& folder, const std::string& name,
               std::map<std::string, MtlMaterial>& materials, Notes& notes);
 
-/// As Blinn-Phong: kd, ks and ns are what MTL means by them (illum 0 and 1 have no highlight). A black kd under a
-/// picture counts as white: exporters write it, and viewers show the picture. A bump picture counts as heights where it
-/// is grey, otherwise as normals: exporters write both. Both sides are drawn: OBJ does not say which is the front.
+/// As Blinn-Phong: kd, ks and ns as MTL defines them (illum 0 and 1 have no highlight). A black kd with a texture is
+/// treated as white: exporters write it, and viewers show the texture. A bump texture is used as heights if it is grey,
+/// otherwise as normals: exporters write both. Materials are two-sided, since OBJ does not define the front.
 Material make_material(const std::string& name, const MtlMaterial& mtl, const std::filesystem::path& folder,
                        Scene& scene, std::map<std::string, int>& textures, Notes& notes);
 

@@ -17,7 +17,7 @@
 namespace atelier::scene_import {
 namespace {
 
-/// A face cut into triangles: places in ObjFile::corners, and the face that they come from.
+/// A triangle of a face: indices into ObjFile::corners, and the face that it belongs to.
 struct Triangle {
   std::array<std::size_t, 3> corners;
   std::size_t face;
@@ -41,7 +41,7 @@ bool is_direction(const glm::vec3& n) {
   return std::isfinite(size) && size > 1e-12f;
 }
 
-/// A normal for each corner of each triangle: the file's where it has one that is a direction, otherwise by smoothing.
+/// A normal for each corner of each triangle: the file's if it is valid, otherwise computed by smoothing.
 std::vector<std::array<glm::vec3, 3>> corner_normals(const ObjFile& obj, const std::vector<Triangle>& triangles,
                                                      Notes& notes, const std::string& name) {
   std::size_t broken = 0, missing = 0;
@@ -53,7 +53,7 @@ std::vector<std::array<glm::vec3, 3>> corner_normals(const ObjFile& obj, const s
         ++broken;
     }
   if (broken > 0)
-    notes.add(fmt::format("{}: {} normals were no directions and were made from the triangles", name, broken));
+    notes.add(fmt::format("{}: {} normals had no direction and were computed from the triangles", name, broken));
 
   std::vector<std::array<glm::vec3, 3>> normals(triangles.size());
   if (missing + broken > 0) {
@@ -72,7 +72,7 @@ std::vector<std::array<glm::vec3, 3>> corner_normals(const ObjFile& obj, const s
   return normals;
 }
 
-/// What makes two corners one vertex: the same position and texture coordinate in the file, and the same normal.
+/// Corners with equal keys share a vertex: the same position and texture coordinate in the file, and the same normal.
 struct VertexKey {
   int position, texcoord;
   glm::vec3 normal;
@@ -105,7 +105,7 @@ struct Group {
   }
 };
 
-/// The scene's material for each name in the file, and last the one for faces that name none.
+/// The scene's material for each name in the file, and last the default for faces without a name.
 std::vector<int> add_materials(const ObjFile& obj, const std::filesystem::path& path, Scene& scene, Notes& notes) {
   std::map<std::string, MtlMaterial> library;
   for (const std::string& name : obj.libraries) read_mtl(path.parent_path(), name, library, notes);
@@ -114,7 +114,8 @@ std::vector<int> add_materials(const ObjFile& obj, const std::filesystem::path& 
   for (const std::string& name : obj.materials) {
     const auto found = library.find(name);
     if (found == library.end())
-      notes.add(fmt::format("{}: material '{}' is in none of its libraries; grey stands in", path.string(), name));
+      notes.add(
+          fmt::format("{}: material '{}' is in none of its libraries; grey is used instead", path.string(), name));
     const MtlMaterial mtl = found == library.end() ? MtlMaterial{} : found->second;
     scene.materials.push_back(make_material(name, mtl, path.parent_path(), scene, textures, notes));
     places.push_back(int(scene.materials.size()) - 1);

@@ -11,10 +11,10 @@ double area2(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
 }
 
-/// The corners as seen against the mean normal: counter-clockwise.
+/// The corners projected along the mean normal, counter-clockwise.
 std::vector<glm::dvec2> flatten(std::span<const glm::vec3> corners) {
   const glm::dvec3 n = newell_normal(corners);
-  // Drop the axis that the normal is closest to, in the order that keeps the winding.
+  // Drop the axis closest to the normal; order the other two so that the winding is kept.
   const glm::dvec3 size = glm::abs(n);
   const int dropped = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
   const int right = (dropped + 1) % 3, up = (dropped + 2) % 3;
@@ -33,14 +33,14 @@ bool is_convex(const std::vector<glm::dvec2>& p) {
     const glm::dvec2 e = b - a, f = c - b;
     turns += std::atan2(e.x * f.y - e.y * f.x, glm::dot(e, f));
   }
-  return turns < 7;  // once around is 2 pi; a star that winds twice turns left everywhere, too
+  return turns < 7;  // one turn is 2 pi; a star with two turns also turns left everywhere
 }
 
 bool is_inside(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return area2(a, b, p) >= 0 && area2(b, c, p) >= 0 && area2(c, a, p) >= 0;
 }
 
-/// Whether the triangle at place i of the outline lies inside the polygon and holds no other corner.
+/// Whether the triangle at index i of the outline lies inside the polygon and contains no other corner.
 bool is_ear(const std::vector<glm::dvec2>& p, const std::vector<int>& outline, std::size_t i) {
   const std::size_t n = outline.size();
   const glm::dvec2 &a = p[outline[(i + n - 1) % n]], &b = p[outline[i]], &c = p[outline[(i + 1) % n]];
@@ -60,7 +60,7 @@ std::vector<std::array<int, 3>> cut_ears(const std::vector<glm::dvec2>& p) {
   while (outline.size() > 3) {
     const std::size_t n = outline.size();
     i %= n;
-    // An outline that crosses itself may have no ear: cut anyway, or this would never end.
+    // A self-intersecting outline may have no ear: cut anyway, so that the loop ends.
     if (!is_ear(p, outline, i) && refused < n) {
       ++i, ++refused;
       continue;
@@ -76,7 +76,7 @@ std::vector<std::array<int, 3>> cut_ears(const std::vector<glm::dvec2>& p) {
 }  // namespace
 
 glm::dvec3 newell_normal(std::span<const glm::vec3> corners) {
-  // About the first corner, so that a polygon far from the origin loses no bits.
+  // Relative to the first corner, so that a polygon far from the origin keeps its precision.
   glm::dvec3 sum(0);
   const glm::dvec3 origin(corners[0]);
   for (std::size_t i = 0; i < corners.size(); ++i)

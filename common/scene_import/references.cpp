@@ -11,7 +11,7 @@
 namespace atelier::scene_import {
 namespace {
 
-/// Paths in messages at a length that a terminal can bear.
+/// Shortens long paths in messages.
 std::string quoted(const std::string& reference) {
   constexpr std::size_t longest = 200;
   return fmt::format("'{}{}'", reference.substr(0, longest), reference.size() > longest ? "..." : "");
@@ -25,7 +25,7 @@ int hex_digit(char c) {
 }
 
 bool has_scheme(const std::string& reference) {
-  // "https:..." and "C:..." alike; a colon further on may be part of a name.
+  // "https:..." and "C:..."; a later colon may be part of a name.
   const std::size_t colon = reference.find(':');
   if (colon == std::string::npos || colon == 0) return false;
   for (std::size_t i = 0; i < colon; ++i)
@@ -47,13 +47,13 @@ std::filesystem::path resolve_reference(const std::filesystem::path& folder, con
         fmt::format("it names {}, and only files in the model's own folder and below are read", quoted(reference)));
   for (const auto& part : path)
     if (part == "..")
-      throw Error(fmt::format("it names {}, which climbs out of the model's own folder", quoted(reference)));
+      throw Error(fmt::format("it names {}, which is outside the model's own folder", quoted(reference)));
 
-  // A link inside the folder must not lead out of it either.
+  // A symbolic link must not lead out of the folder either.
   std::error_code error;
   const auto home = std::filesystem::weakly_canonical(folder.empty() ? "." : folder, error);
   const auto target = error ? home : std::filesystem::weakly_canonical(home / path, error);
-  if (error) throw Error(fmt::format("it names {}, which is no path: {}", quoted(reference), error.message()));
+  if (error) throw Error(fmt::format("it names {}, which is not a path: {}", quoted(reference), error.message()));
   const auto relative = target.lexically_relative(home);
   if (relative.empty() || *relative.begin() == "..")
     throw Error(fmt::format("it names {}, a link that leads out of the model's own folder", quoted(reference)));
@@ -80,7 +80,7 @@ std::string decode_base64(std::string_view text) {
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   unsigned bits = 0;
-  int count = 0;  // of bits that wait for a whole byte
+  int count = 0;  // of bits that do not fill a byte yet
   for (const char c : text) {
     int value = -1;
     if (c >= 'A' && c <= 'Z')

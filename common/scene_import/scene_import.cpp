@@ -24,7 +24,7 @@ Imported read(const std::filesystem::path& file, Notes& notes) {
   throw Error(fmt::format("{}: not a kind of file that can be imported (allowed: .gltf, .glb, .obj)", file.string()));
 }
 
-/// Camera and light where the file has none; what is left undecided about its own camera.
+/// Adds a camera and a light if the file has none; completes the file's own camera.
 void complete(Scene& scene, bool has_camera) {
   const Box3 box = bounds(scene);
   if (has_camera)
@@ -34,7 +34,7 @@ void complete(Scene& scene, bool has_camera) {
   if (!scene.lights.empty()) return;
   scene.lights.push_back(scene_import::key_light(scene.camera));
   scene.ambient = glm::vec3(0.12f);
-  scene.background = glm::vec3(0.16f);  // grey: neither dark nor light models vanish before it
+  scene.background = glm::vec3(0.16f);  // grey, so that dark and light models are visible
 }
 
 bool has_triangles(const Scene& scene) {
@@ -45,23 +45,23 @@ bool has_triangles(const Scene& scene) {
 }  // namespace
 
 Scene import_scene(const std::filesystem::path& file, std::vector<std::string>* notes) {
-  Notes mended;
+  Notes collected;
   Imported imported;
   try {
-    imported = read(file, mended);
+    imported = read(file, collected);
   } catch (const std::bad_alloc&) {
     throw Error(fmt::format("{}: there is not enough memory for this model", file.string()));
   }
   Scene& scene = imported.scene;
   scene.name = file.stem().string();
-  if (!has_triangles(scene)) throw Error(fmt::format("{}: there is not one triangle in it to draw", file.string()));
+  if (!has_triangles(scene)) throw Error(fmt::format("{}: it has no triangles to draw", file.string()));
   complete(scene, imported.has_camera);
   try {
     validate(scene);
   } catch (const Error& error) {
     throw Error(fmt::format("{}: {}", file.string(), error.what()));
   }
-  if (notes) *notes = mended.sentences();
+  if (notes) *notes = collected.sentences();
   return std::move(imported.scene);
 }
 

@@ -28,7 +28,7 @@ TextLines::TextLines(std::string_view text, std::string name) : text_(text), nam
     throw Error(fmt::format("{}: the text is UTF-16; save it as UTF-8", name_));
   if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
   if (const std::size_t zero = text_.find('\0'); zero != std::string_view::npos)
-    throw Error(fmt::format("{}: no text file (a zero at byte {})", name_, zero));
+    throw Error(fmt::format("{}: not a text file (a zero at byte {})", name_, zero));
 }
 
 bool TextLines::next() {
@@ -71,14 +71,14 @@ std::optional<float> TextLines::number() {
   if (text.empty()) return {};
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
-  // Through double, so that numbers below a float's range become zero and those above it infinity.
+  // Through double, so that float underflow gives zero and overflow infinity.
   double value = 0;
   const auto [end, problem] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   // Too large for a double, or too small: from_chars does not say which of the two.
   if (problem == std::errc::result_out_of_range)
     return float(std::strtod(std::string(digits.data(), end).c_str(), nullptr));
   if (problem != std::errc() || end != digits.data() + digits.size())
-    fail(fmt::format("'{}' is no number", text.substr(0, 40)));
+    fail(fmt::format("'{}' is not a number", text.substr(0, 40)));
   return float(value);
 }
 

@@ -1,4 +1,4 @@
-// The line-and-word format that OBJ and MTL share.
+// The line-based text format of OBJ and MTL.
 #pragma once
 
 #include <filesystem>
@@ -8,21 +8,21 @@
 
 namespace atelier::scene_import {
 
-/// Walks a text line by line: comments (#) cut, lines that end in a backslash joined with the next, all kinds of line
-/// ends. Throws Error naming the file where the text is UTF-16 or holds bytes that no text has.
+/// Reads a text line by line: removes comments (#), joins lines that end in a backslash with the next, accepts all
+/// kinds of line ends. Throws Error naming the file if the text is UTF-16 or contains null bytes.
 class TextLines {
  public:
   /// `text` must outlive this; `name` is for messages.
   TextLines(std::string_view text, std::string name);
 
-  /// Steps to the next line that is not empty; false at the end. Its words are then taken by word() and rest().
+  /// Goes to the next line that is not empty; false at the end. Read its words with word() and rest().
   bool next();
 
-  /// The next word of the line; empty where there is none.
+  /// The next word of the line; empty if there is none.
   std::string_view word();
-  /// What is left of the line, without blanks around it.
+  /// The rest of the line, without surrounding spaces.
   std::string_view rest();
-  /// The next word as a number; nothing where there is none. Throws Error where it is no number. Overflow gives
+  /// The next word as a number; none at the end of the line. Throws Error if it is not a number. Overflow gives
   /// infinity.
   std::optional<float> number();
 
@@ -34,8 +34,8 @@ class TextLines {
   std::string name_;
   std::size_t at_ = 0;
   int number_of_lines_ = 0, line_number_ = 0;
-  std::string joined_;     ///< holds a line that was continued
-  std::string_view line_;  ///< what is left of the current line
+  std::string joined_;     ///< a line with its continuation lines
+  std::string_view line_;  ///< the rest of the current line
 };
 
 }  // namespace atelier::scene_import

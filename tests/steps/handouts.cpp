@@ -126,7 +126,7 @@ TEST_CASE("a handout has every case and the points of each tier, and no case tha
     Names cases;
     for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases)
       if (!c.hidden) cases.insert(c.ask.name);
-    CHECK(in_lines(lacks_of_cases(folders(), step)) == "");
+    CHECK(in_lines(problems_of_cases(folders(), step)) == "");
     CHECK(missing(cases_in_tables(handout_of(step)), cases) == "");
   }
 }

@@ -46,7 +46,7 @@ TEST_CASE("doctor names what lacks on a bare machine, and installs and builds no
   INFO(finished.output);
   CHECK(finished.exit_status == 1);
   CHECK(mentions(finished.output, {"✗ compiler", "✗ cmake", "✗ ninja", "✗ build", "not built yet in",
-                                   machine.build().string(), "mend it: ./atelier list", "Something that is needed"}));
+                                   machine.build().string(), "fix: ./atelier list", "Something that is needed"}));
   CHECK_FALSE(fs::exists(machine.build()));
 }
 

@@ -161,7 +161,7 @@ TEST_CASE("a release builds, gives, checks and packs by itself", "[release-build
   const Finished first = launch({"check", "00-hello"});
   INFO(first.output);
   REQUIRE(first.exit_status == 1);  // the skeleton, judged
-  CHECK(mentions(first.output, {"steps/00-hello/hello.glsl is yours to write", "triangle"}));
+  CHECK(mentions(first.output, {"steps/00-hello/hello.glsl is new: write it", "triangle"}));
 
   fs::copy_file(folders().solutions() / "00-hello" / "hello.glsl", out / "steps" / "00-hello" / "hello.glsl",
                 fs::copy_options::overwrite_existing);

@@ -8,7 +8,7 @@
 namespace atelier {
 namespace {
 
-constexpr double most = 1e6;  ///< of a code: any light has one that an int and, within 1/16, a float can hold
+constexpr double most = 1e6;  ///< largest code: an int and, within 1/16, a float can hold it
 
 int code_of(double light) {
   return int(std::lround(std::clamp(255 * srgb_encode(light), -most, most)));

@@ -18,7 +18,7 @@ Gesture press(Controls& controls, const Pressed& event) {
   if (event.button != Button::left) return gesture;
   if (is_double_click(controls.last_click, event)) {
     gesture.action = Action::reset_camera;
-    controls.last_click.reset();  // a third click begins anew
+    controls.last_click.reset();  // a third click starts a new double click
   } else {
     controls.last_click = event;
   }
@@ -78,12 +78,12 @@ Gesture interpret(Controls& controls, const Event& event) {
 }
 
 const char* const keys_help =
-    "left drag, arrows\tturn about the target\n"
-    "wheel, + and -\tcome nearer, go away\n"
-    "right or middle drag\tshift the picture\n"
+    "left drag, arrows\torbit the target\n"
+    "wheel, + and -\tmove closer or away\n"
+    "right or middle drag\tpan\n"
     "double click, R\tback to the scene's camera\n"
     "1 to 9\tanother scene\n"
-    "Space\trun or stop the clock\n"
+    "Space\tstart or stop the animation\n"
     "S\tsave the picture as PNG\n"
     "Tab\tshow or hide the panel\n"
     "H\tthis help\n"

@@ -1,4 +1,4 @@
-// From what hands do to what is meant: events of mouse and keyboard become gestures. Pure: knows no window library.
+// Translates mouse and keyboard events to gestures. Independent of the window library.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,7 +10,7 @@ namespace atelier {
 enum class Button { left, middle, right };
 enum class Key { escape, tab, space, left, right, up, down, plus, minus, h, r, s, digit };
 
-// Positions are in the window's own units (not pixels: on many screens those are finer), from the upper left corner.
+// Positions are in window units (pixels may be smaller), from the upper left corner.
 struct Pressed {
   Button button;
   glm::dvec2 position;
@@ -29,23 +29,23 @@ struct Typed {
   Key key;
   int digit = 0;  ///< 1..9, of Key::digit
 };
-/// The window's content is lost or has another size.
+/// The window must be redrawn or has another size.
 struct Exposed {};
 
 using Event = std::variant<Pressed, Released, Moved, Scrolled, Typed, Exposed>;
 
 enum class Action { none, quit, help, panel, play, reset_camera, save, scene };
 
-/// What an event means. Everything at once is possible, most of it is zero.
+/// The meaning of an event; most members are zero.
 struct Gesture {
-  glm::dvec2 turn{0};  ///< of the camera about its target, in window units of dragging: x to the right, y down
+  glm::dvec2 turn{0};  ///< orbit of the camera about its target, in window units of dragging: x to the right, y down
   glm::dvec2 pan{0};   ///< of the picture, in the same units
   double dolly = 0;    ///< steps towards the target
   Action action = Action::none;
   int number = 0;  ///< of the scene, from 1
 };
 
-/// What must be remembered from one event to the next.
+/// State between events.
 struct Controls {
   std::optional<Button> dragging;
   glm::dvec2 last{0};                 ///< where the cursor was
@@ -53,10 +53,10 @@ struct Controls {
 };
 
 /// Left drag turns, right or middle drag pans, the wheel dollies, a double click resets the camera; keys as in
-/// `keys_help`. A press begins a drag, and only the release of the same button ends it.
+/// `keys_help`. A press begins a drag; only the release of the same button ends it.
 Gesture interpret(Controls& controls, const Event& event);
 
-/// A line for each key and gesture: what, tab, meaning.
+/// A line for each key and gesture: key, tab, meaning.
 extern const char* const keys_help;
 
 }  // namespace atelier

@@ -12,7 +12,7 @@
 namespace atelier {
 namespace {
 
-/// What GLFW last had to say; it says it once.
+/// GLFW's last error message; reading clears it.
 std::string glfw_words() {
   const char* words = nullptr;
   glfwGetError(&words);
@@ -52,7 +52,7 @@ std::optional<Typed> typed(int key) {
   }
 }
 
-/// Letters by what stands on the key, which is not where it is: Y and Z change places between keyboards.
+/// Letters by the keyboard layout, not by position: Y and Z differ between layouts.
 std::optional<Typed> typed_character(unsigned character) {
   switch (character) {
     case '+':
@@ -113,7 +113,8 @@ void listen(GLFWwindow* window) {
 }  // namespace
 
 Display::Library::Library() {
-  glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES, GLFW_FALSE);  // paths on the command line are relative to where we started
+  glfwInitHint(GLFW_COCOA_CHDIR_RESOURCES,
+               GLFW_FALSE);  // keep the working directory: paths on the command line are relative to it
   if (!glfwInit())
     throw Error(
         fmt::format("no window can be opened ({}): draw into a file instead, with --out FILE.png", glfw_words()));
@@ -127,10 +128,10 @@ Display::Display(glm::ivec2 size, const std::string& title, std::optional<glm::i
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // macOS gives nothing else
+  glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);  // required on macOS
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // scenes are drawn into targets of their own
+  glfwWindowHint(GLFW_DEPTH_BITS, 0);  // scenes are drawn into their own targets
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   window_ = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (!window_)
@@ -184,7 +185,8 @@ glm::ivec2 Display::place() const {
 }
 
 double Display::text_scale() const {
-  // On macOS a window unit is two pixels of a fine screen, and text needs nothing; on X11 it is one pixel, and does.
+  // On macOS a window unit is two pixels on a high-DPI screen, so text needs no scaling; on X11 it is one pixel, so it
+  // does.
   float scale = 1, unused = 1;
   glfwGetWindowContentScale(window_, &scale, &unused);
   const int width = size().x;

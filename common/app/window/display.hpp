@@ -1,4 +1,4 @@
-// A window on the screen with OpenGL 3.3 in it: what of it this project needs from GLFW, with an owner.
+// A window with an OpenGL 3.3 context: an RAII wrapper of GLFW.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,8 +16,8 @@ namespace atelier {
 
 class Display {
  public:
-  /// Opens a window whose content is `size` in its own units (pixels on a plain screen), hidden until `show`. Throws
-  /// Error where there is no display or no OpenGL 3.3, saying what can be done instead. One at a time.
+  /// Opens a window whose content has `size` in window units (pixels on a standard screen), hidden until `show`. Throws
+  /// Error with an alternative if there is no display or no OpenGL 3.3. Only one at a time.
   Display(glm::ivec2 size, const std::string& title, std::optional<glm::ivec2> place = {});
   ~Display();
   Display(const Display&) = delete;
@@ -30,21 +30,21 @@ class Display {
   void set_title(const std::string& title);
   bool wants_to_close() const;
 
-  glm::ivec2 size() const;    ///< of the content, in the window's own units: those of cursor positions
-  glm::ivec2 pixels() const;  ///< of the content: those of viewports; 0 where the window is iconified
+  glm::ivec2 size() const;    ///< of the content, in window units, like cursor positions
+  glm::ivec2 pixels() const;  ///< of the content in pixels, for viewports; 0 if the window is iconified
   glm::ivec2 place() const;   ///< of its upper left corner on the desktop, as the constructor takes it
-  double text_scale() const;  ///< window units that a unit of text design should take: 1 on a plain screen
+  double text_scale() const;  ///< scale factor of text: 1 on a standard screen
 
-  /// What has happened since the last call; waits up to `seconds` for the first event, not at all for 0.
+  /// Events since the last call; waits up to `seconds` for the first event, not at all for 0.
   std::vector<Event> wait(double seconds);
 
-  /// Binds the window's own framebuffer for drawing colours that are encoded already.
+  /// Binds the window's framebuffer for drawing already encoded colours.
   void bind();
-  /// Brings what was drawn onto the screen, in step with its refreshes.
+  /// Swaps buffers, synchronised with the screen's refresh.
   void present();
 
  private:
-  struct Library {  // GLFW itself: started before the window, ended after it
+  struct Library {  // GLFW: initialised before the window, terminated after it
     Library();
     ~Library();
   };

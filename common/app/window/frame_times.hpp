@@ -1,4 +1,4 @@
-// How long frames take, told in a way that one slow frame does not disturb.
+// A median of frame times.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace atelier {
 
-/// The last 31 frame times. Their median, unlike their mean, does not see the one that met a busy machine.
+/// The last 31 frame times. Their median, unlike their mean, ignores single slow frames.
 class FrameTimes {
  public:
   void add(double seconds) {
@@ -16,7 +16,7 @@ class FrameTimes {
     count_ = std::min(count_ + 1, times_.size());
   }
 
-  /// Seconds; of an even number the upper of the two middle ones; 0 where there was no frame yet.
+  /// Seconds; for an even number the upper of the two middle ones; 0 without frames.
   double median() const {
     if (count_ == 0) return 0;
     auto sorted = times_;

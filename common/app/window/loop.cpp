@@ -15,11 +15,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto look_interval = 250ms;  ///< between looks at files: soon enough for an eye, nothing for a disk
+constexpr auto look_interval = 250ms;  ///< between checks of files
 constexpr auto notice_time = 4s;
-constexpr int settling_rounds = 3;  ///< Dear ImGui answers some events only in the second round after them
+constexpr int settling_rounds = 3;  ///< Dear ImGui reacts to some events only in the second frame after them
 
-/// A name that is not taken in the current folder: "01-transforms-teapot-colour.png", then "-2" and so on.
+/// An unused name in the current folder: "01-transforms-teapot-colour.png", then "-2" and so on.
 std::filesystem::path free_name(const Viewer& viewer) {
   const std::string stem = fmt::format("{}-{}-{}", viewer.description().name,
                                        std::filesystem::path(viewer.scene()).stem().string(), viewer.output());
@@ -30,30 +30,30 @@ std::filesystem::path free_name(const Viewer& viewer) {
 
 }  // namespace
 
-WindowWishes wishes_of_environment() {
-  WindowWishes wishes;
+WindowOptions options_from_environment() {
+  WindowOptions options;
   if (const char* text = std::getenv("ATELIER_WINDOW_FRAMES")) {
     int frames = 0, used = 0;
     if (std::sscanf(text, "%d%n", &frames, &used) != 1 || text[used] || frames < 1)
-      throw Error(fmt::format("ATELIER_WINDOW_FRAMES={}: a number of frames from 1 on", text));
-    wishes.frames = frames;
+      throw Error(fmt::format("ATELIER_WINDOW_FRAMES={}: must be a number of frames, 1 or more", text));
+    options.frames = frames;
   }
-  if (const char* text = std::getenv("ATELIER_WINDOW_SAVE")) wishes.save = text;
+  if (const char* text = std::getenv("ATELIER_WINDOW_SAVE")) options.save = text;
   if (const char* text = std::getenv("ATELIER_WINDOW_PLACE")) {
     glm::ivec2 place;
     int used = 0;
     if (std::sscanf(text, "%d,%d%n", &place.x, &place.y, &used) != 2 || text[used])
-      throw Error(fmt::format("ATELIER_WINDOW_PLACE={}: two whole numbers as X,Y", text));
-    wishes.place = place;
+      throw Error(fmt::format("ATELIER_WINDOW_PLACE={}: must be two integers as X,Y", text));
+    options.place = place;
   }
-  return wishes;
+  return options;
 }
 
-Window::Window(const WindowRequest& request, const WindowWishes& wishes)
+Window::Window(const WindowRequest& request, const WindowOptions& options)
     : request_(request),
-      wishes_(wishes),
+      options_(options),
       program_file_(this_program()),
-      display_(request.line.picture.size + glm::ivec2(panel_width, 0), request.identity.name, wishes.place),
+      display_(request.line.picture.size + glm::ivec2(panel_width, 0), request.identity.name, options.place),
       program_(request.make()),
       viewer_(*program_, display_.gl(), request.implementations, request.line),
       presenter_(display_.gl()),
@@ -65,43 +65,43 @@ std::optional<CommandLine> Window::run() {
   display_.show();
   rounds_left_ = settling_rounds;
   while (!quit_ && !restart_) {
-    hear(display_.wait(waiting_time()));
+    handle(display_.wait(waiting_time()));
     let_time_pass();
     look_at_files();
     if (rounds_left_ > 0) draw_round();
-    quit_ |= display_.wants_to_close() || (wishes_.frames && frames_ >= *wishes_.frames);
+    quit_ |= display_.wants_to_close() || (options_.frames && frames_ >= *options_.frames);
   }
-  if (restart_ && !quit_) return line_to_return_by();
+  if (restart_ && !quit_) return restart_command_line();
   return {};
 }
 
 double Window::waiting_time() const {
-  if (rounds_left_ > 0 || viewer_.playing() || wishes_.frames) return 0;
+  if (rounds_left_ > 0 || viewer_.playing() || options_.frames) return 0;
   return std::chrono::duration<double>(look_interval).count();
 }
 
-// ---- What the user does
+// ---- User input
 
-void Window::hear(const std::vector<Event>& events) {
+void Window::handle(const std::vector<Event>& events) {
   if (!events.empty()) rounds_left_ = settling_rounds;
   for (const Event& event : events) {
-    // A drag that began in the picture goes on over the panel, and the other way round.
+    // A drag that began in the picture continues over the panel, and vice versa.
     const bool of_mouse = std::holds_alternative<Pressed>(event) || std::holds_alternative<Scrolled>(event);
     if (of_mouse && panel_->wants_mouse()) continue;
     if (std::holds_alternative<Typed>(event) && panel_->wants_keyboard()) continue;
-    obey(interpret(controls_, event));
+    execute(interpret(controls_, event));
   }
 }
 
-void Window::obey(const Gesture& gesture) {
+void Window::execute(const Gesture& gesture) {
   const double height = display_.size().y;
   if (gesture.turn != glm::dvec2(0)) viewer_.turn(gesture.turn, height);
   if (gesture.pan != glm::dvec2(0)) viewer_.pan(gesture.pan, height);
   if (gesture.dolly != 0) viewer_.dolly(gesture.dolly);
-  obey(gesture.action, gesture.number);
+  execute(gesture.action, gesture.number);
 }
 
-void Window::obey(Action action, int number) {
+void Window::execute(Action action, int number) {
   const auto& scenes = viewer_.description().scenes;
   switch (action) {
     case Action::none:
@@ -146,14 +146,14 @@ void Window::notify(const std::string& words) {
   notice_end_ = Clock::now() + notice_time;
 }
 
-// ---- What happens by itself
+// ---- Without user input
 
 void Window::let_time_pass() {
   const auto now = Clock::now();
-  // A window that was dragged or covered stops the loop for a while: the clock of the scene does not jump over that.
+  // Moving or covering a window may block the loop: do not let the animation jump.
   viewer_.advance(std::min(std::chrono::duration<double>(now - last_round_).count(), 0.1));
   last_round_ = now;
-  if (viewer_.playing() || wishes_.frames) rounds_left_ = std::max(rounds_left_, 1);
+  if (viewer_.playing() || options_.frames) rounds_left_ = std::max(rounds_left_, 1);
   if (!state_.notice.empty() && now >= notice_end_) {
     state_.notice.clear();
     rounds_left_ = settling_rounds;
@@ -177,7 +177,7 @@ void Window::look_at_code() {
   rounds_left_ = settling_rounds;
 }
 
-CommandLine Window::line_to_return_by() const {
+CommandLine Window::restart_command_line() const {
   CommandLine line = viewer_.command_line(request_.line);
   const glm::ivec2 content = display_.size() - glm::ivec2(std::lround(panel_->width(state_)), 0);
   line.picture.size = glm::clamp(glm::ivec2(glm::dvec2(content) / display_.text_scale() + 0.5), 1, 4096);
@@ -199,7 +199,7 @@ void Window::draw_round() {
   if (panel_->update(viewer_, state_)) rounds_left_ = std::max(rounds_left_, 1);
   const glm::ivec2 picture = picture_pixels(window);
   viewer_.resize(picture);
-  if (viewer_.draw()) rounds_left_ = std::max(rounds_left_, 1);  // the panel has new figures to show
+  if (viewer_.draw()) rounds_left_ = std::max(rounds_left_, 1);  // the panel's statistics have changed
 
   Gl& gl = display_.gl();
   display_.bind();
@@ -212,8 +212,8 @@ void Window::draw_round() {
     panel_->draw();
   }
   ++frames_;
-  if (wishes_.frames == frames_ && !wishes_.save.empty())
-    write_image(wishes_.save, read_framebuffer(gl, window), {.encoding = Encoding::srgb});
+  if (options_.frames == frames_ && !options_.save.empty())
+    write_image(options_.save, read_framebuffer(gl, window), {.encoding = Encoding::srgb});
   display_.present();
   retitle();
 }

@@ -1,4 +1,4 @@
-// The life of a window: hears what the user does, looks whether files have changed, draws when there is something new.
+// The window's main loop: handles input, checks whether files have changed, draws if something is new.
 #pragma once
 
 #include <chrono>
@@ -14,21 +14,22 @@
 
 namespace atelier {
 
-/// What the environment asks (see module.hpp).
-struct WindowWishes {
+/// Options from environment variables (see module.hpp).
+struct WindowOptions {
   std::optional<int> frames;
   std::filesystem::path save;
   std::optional<glm::ivec2> place;
 };
 
-/// Throws Error naming the variable where one cannot be understood.
-WindowWishes wishes_of_environment();
+/// Throws Error naming a variable that is invalid.
+WindowOptions options_from_environment();
 
 class Window {
  public:
-  Window(const WindowRequest& request, const WindowWishes& wishes);
+  Window(const WindowRequest& request, const WindowOptions& options);
 
-  /// Until it is closed. Nothing: the user is done. A command line: the code has changed, start the program again so.
+  /// Runs until the window is closed. None: the user has quit. A command line: the code has changed, restart the
+  /// program with it.
   std::optional<CommandLine> run();
   glm::ivec2 place() const { return display_.place(); }
 
@@ -36,9 +37,9 @@ class Window {
   using Clock = std::chrono::steady_clock;
 
   double waiting_time() const;
-  void hear(const std::vector<Event>& events);
-  void obey(const Gesture& gesture);
-  void obey(Action action, int number);
+  void handle(const std::vector<Event>& events);
+  void execute(const Gesture& gesture);
+  void execute(Action action, int number);
   void look_at_files();
   void look_at_code();
   void let_time_pass();
@@ -47,13 +48,13 @@ class Window {
   void save_picture();
   void notify(const std::string& words);
   glm::ivec2 picture_pixels(glm::ivec2 window) const;
-  CommandLine line_to_return_by() const;
+  CommandLine restart_command_line() const;
 
   const WindowRequest& request_;
-  const WindowWishes wishes_;
+  const WindowOptions options_;
   const std::filesystem::path program_file_;
 
-  // Made in this order and ended in the reverse: nothing of OpenGL may outlive its context.
+  // Destroyed in reverse order: OpenGL objects must not outlive their context.
   Display display_;
   std::unique_ptr<StepProgram> program_;
   Viewer viewer_;
@@ -65,7 +66,7 @@ class Window {
   Watch libraries_, shaders_;
   bool quit_ = false;
   bool restart_ = false;
-  int rounds_left_ = 0;  ///< to be drawn without waiting
+  int rounds_left_ = 0;  ///< frames to draw without waiting
   int frames_ = 0;       ///< presented so far
   std::string title_;
   Clock::time_point last_round_ = Clock::now(), last_look_ = Clock::now(), notice_end_;

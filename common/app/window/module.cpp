@@ -11,11 +11,11 @@ int atelier_show_window(const atelier::WindowRequest& request) {
   using namespace atelier;
   std::optional<CommandLine> again;
   {
-    Window window(request, wishes_of_environment());
+    Window window(request, options_from_environment());
     again = window.run();
     const glm::ivec2 place = window.place();
     if (again) setenv("ATELIER_WINDOW_PLACE", fmt::format("{},{}", place.x, place.y).c_str(), 1);
-  }  // the window is gone before the program becomes another
+  }  // destroy the window before the program is replaced
   if (again) restart(this_program(), *again);
   return exit_ok;
 }

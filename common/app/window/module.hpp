@@ -1,6 +1,6 @@
-// The module atelier-window: all that needs GLFW and Dear ImGui, loaded when a window is asked for.
+// The module atelier-window: all code that needs GLFW and Dear ImGui, loaded when a window is opened.
 //
-// Three environment variables serve tests and the program's own restart:
+// Three environment variables are used by tests and by the program's own restart:
 //   ATELIER_WINDOW_FRAMES=N    redraw without waiting, and quit after N frames
 //   ATELIER_WINDOW_SAVE=FILE   write what the whole window shows, panel included, when it quits
 //   ATELIER_WINDOW_PLACE=X,Y   where on the desktop its upper left corner stands
@@ -23,5 +23,5 @@ struct WindowRequest {
 
 }  // namespace atelier
 
-/// Opens the window, stays until it is closed, returns the exit status. Throws Error where it cannot be opened.
+/// Opens the window, runs until it is closed, returns the exit status. Throws Error if it cannot be opened.
 extern "C" int atelier_show_window(const atelier::WindowRequest& request);

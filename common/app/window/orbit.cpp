@@ -7,7 +7,7 @@
 namespace atelier {
 namespace {
 
-constexpr double step_ratio = 0.9;  ///< what a step of the wheel leaves of the distance
+constexpr double step_ratio = 0.9;  ///< factor of the distance per wheel step
 
 /// A right-handed frame about `up`: heading 0 points along `front`, a quarter turn later along `side`.
 struct Frame3 {
@@ -15,7 +15,7 @@ struct Frame3 {
 };
 
 Frame3 frame_about(const glm::dvec3& up) {
-  // +z, or +x where `up` itself lies along z: either way the cross products are far from zero.
+  // +z, or +x if `up` is along z, so that the cross products are far from zero.
   const glm::dvec3 hint = std::abs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
   const glm::dvec3 side = glm::normalize(glm::cross(up, hint));
   return {side, up, glm::cross(side, up)};
@@ -42,7 +42,7 @@ Orbit orbit_of(const Camera& camera) {
   const Frame3 frame = frame_about(orbit.up);
   const double length = glm::length(arm);
   if (length > 0) {
-    // atan2 of both parts: asin of the height alone would lose half its digits near the poles.
+    // atan2 of both components: asin of the height would lose half its digits near the poles.
     const double side = glm::dot(arm, frame.side), front = glm::dot(arm, frame.front);
     orbit.heading = std::atan2(side, front);
     orbit.elevation = std::atan2(glm::dot(arm, frame.up), std::hypot(side, front));
@@ -81,7 +81,7 @@ Orbit dollied(Orbit orbit, double steps) {
 Orbit panned(Orbit orbit, glm::dvec2 pixels, double size) {
   if (!finite({pixels.x, pixels.y, size})) return orbit;
   const glm::dvec3 forward = -direction_of(orbit);
-  // The frame's own side, turned with the heading: right even where the eye stands on a pole.
+  // The frame's side, rotated by the heading: correct even if the eye is at a pole.
   const Frame3 frame = frame_about(orbit.up);
   const glm::dvec3 right = frame.side * std::cos(orbit.heading) - frame.front * std::sin(orbit.heading);
   const glm::dvec3 above = glm::cross(right, forward);

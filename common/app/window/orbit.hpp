@@ -1,8 +1,8 @@
-// A camera that turns about a point: what a mouse does to it, as pure functions.
+// An orbit camera, as pure functions.
 //
-// The eye stands on a sphere about the target. Two angles say where: the heading runs round the axis `up` like a
-// longitude, the elevation leads towards it like a latitude. The camera stays upright because the elevation stops short
-// of the poles. Everything is double: at a million metres from the origin a float could not tell two millimetres apart.
+// The eye is on a sphere around the target, given by two angles: the heading about the axis `up`, like a longitude, and
+// the elevation towards it, like a latitude. The elevation stops short of the poles, so the camera stays upright.
+// Everything is double: at a million metres from the origin floats have steps of centimetres.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -18,33 +18,33 @@ struct Orbit {
   double nearest = 5e-3, farthest = 5e3;  ///< bounds of `distance`, metres
 };
 
-/// How close to a pole a turn may lead: there the heading loses its meaning and the picture would spin.
+/// Limit of the elevation: at a pole the heading is undefined and the picture would spin.
 inline constexpr double highest_elevation = 1.5690;  // radians; 89.9 degrees
 
-/// The orbit that a camera stands on, with bounds at a thousandth and a thousand times its distance. A camera without
-/// an `up` gets +y; an eye in its own target is moved one metre back.
+/// The orbit of a camera, with bounds at 1/1000 and 1000 times its distance. A camera without an `up` gets +y; an eye
+/// at its target is moved one metre back.
 Orbit orbit_of(const Camera& camera);
 
 /// Where the eye is.
 glm::dvec3 eye_of(const Orbit& orbit);
 
-/// `camera` moved to where the orbit has led it; `start` is the orbit that it stood on. An orthographic camera sees
-/// more or less as the distance grows or shrinks: it has no perspective to show that otherwise.
+/// `camera` moved to `orbit`; `start` is its original orbit. For an orthographic camera the height of the view changes
+/// with the distance, since there is no perspective.
 Camera camera_on(const Orbit& orbit, const Camera& camera, const Orbit& start);
 
-// Each of the following leaves the orbit as it was where an argument is not finite.
+// The following functions return the orbit unchanged if an argument is not finite.
 
-/// Turns by radians: `heading` to the right of the picture, `elevation` towards the pole.
+/// Rotates by radians: `heading` to the right of the picture, `elevation` towards the pole.
 Orbit turned(Orbit orbit, double heading, double elevation);
 
-/// Moves nearer by `steps` of a wheel, a tenth of the distance each; negative ones lead away.
+/// Moves closer by `steps` of a wheel, a tenth of the distance each; negative steps move away.
 Orbit dollied(Orbit orbit, double steps);
 
-/// Moves target and eye together so that what is `pixels` away from the cursor (x to the right, y down) comes under it;
-/// `metres_per_pixel` is measured at the target.
+/// Moves target and eye so that the picture moves by `pixels` (x to the right, y down); `metres_per_pixel` is measured
+/// at the target.
 Orbit panned(Orbit orbit, glm::dvec2 pixels, double metres_per_pixel);
 
-/// How large a pixel is at the target, for a picture `height` pixels high.
+/// The size of a pixel at the target, for a picture `height` pixels high.
 double metres_per_pixel(const Orbit& orbit, const Camera& camera, double height);
 
 }  // namespace atelier

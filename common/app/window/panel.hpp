@@ -1,5 +1,5 @@
-// What lies over and beside the picture: the settings panel, messages, help. Two implementations, chosen by the build:
-// Dear ImGui (panel_imgui.cpp), or none where the library is missing (panel_plain.cpp: title bar and terminal).
+// The settings panel, messages and help. Two implementations, chosen by the build: Dear ImGui (panel_imgui.cpp), or a
+// fallback without the library (panel_plain.cpp: title bar and terminal).
 #pragma once
 
 #include <memory>
@@ -10,12 +10,12 @@
 
 namespace atelier {
 
-/// The panel's width in units of text design: about forty letters; 0 where there is none.
+/// The panel's width before scaling: about forty letters; 0 without panel.
 extern const int panel_width;
 
-/// What the panel knows beyond the viewer.
+/// The panel's state beside the viewer.
 struct PanelState {
-  bool visible = true;  ///< the panel itself; messages show anyway
+  bool visible = true;  ///< of the panel; messages are always visible
   bool help = false;
   std::string notice;  ///< one line that fades: "saved frame.png"
 };
@@ -24,21 +24,20 @@ class Panel {
  public:
   virtual ~Panel() = default;
 
-  /// The width that the panel takes from the right of the window, in window units; 0 where it is hidden or there is
-  /// none.
+  /// The width of the panel at the right of the window, in window units; 0 if it is hidden or there is none.
   virtual double width(const PanelState& state) const = 0;
 
-  /// Whether mouse or keyboard are at work in the panel and not in the picture.
+  /// Whether the panel uses mouse or keyboard input.
   virtual bool wants_mouse() const = 0;
   virtual bool wants_keyboard() const = 0;
 
-  /// Builds this round's panel; changes the viewer as the user's hands say. True while it moves by itself.
+  /// Builds the panel for this frame; applies the user's changes to the viewer. True while it is animated.
   virtual bool update(Viewer& viewer, PanelState& state) = 0;
-  /// Draws what `update` has built into the window's framebuffer.
+  /// Draws the panel of `update` into the window's framebuffer.
   virtual void draw() = 0;
 };
 
-/// After the display's own callbacks are set, which it leaves in place. The display must outlive it.
+/// Chains to the display's callbacks. The display must outlive the panel.
 std::unique_ptr<Panel> make_panel(Display& display);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// The panel by Dear ImGui: scene, output, settings, statistics at the right; messages and help over the picture.
+// The panel with Dear ImGui: scene, output, settings, statistics on the right; messages and help over the picture.
 #include <fmt/core.h>
 #include <imgui.h>
 
@@ -23,7 +23,7 @@ const int panel_width = 290;
 
 namespace {
 
-constexpr float font_units = 13;  ///< the size that the built-in bitmap font is drawn for
+constexpr float font_units = 13;  ///< design size of the built-in bitmap font
 
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                           ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoTitleBar |
@@ -34,9 +34,9 @@ class ImGuiPanel : public Panel {
   explicit ImGuiPanel(Display& display) : scale_(float(display.text_scale())) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
-    ImGui::GetIO().IniFilename = nullptr;  // leaves no file behind in the student's folder
+    ImGui::GetIO().IniFilename = nullptr;  // do not write a file into the student's folder
     dress();
-    // GLSL 150 is what OpenGL 3.2 brought: the lowest version that a core context takes on every system.
+    // GLSL 150 (OpenGL 3.2) is the lowest version that a core context accepts on every system.
     if (!ImGui_ImplGlfw_InitForOpenGL(display.handle(), true) || !ImGui_ImplOpenGL3_Init("#version 150")) {
       ImGui::DestroyContext();
       throw Error("the settings panel cannot be drawn with this OpenGL driver: draw into a file with --out FILE.png");
@@ -85,7 +85,7 @@ void ImGuiPanel::dress() const {
   style.ItemSpacing = ImVec2(8, 5);
   style.Colors[ImGuiCol_WindowBg] = ImVec4(0.11f, 0.115f, 0.125f, 1);
   style.ScaleAllSizes(scale_);
-  // The font is made in its final size: a stretched bitmap would blur.
+  // Rasterise the font in its final size: a scaled bitmap would blur.
   ImFontConfig font;
   font.SizePixels = std::max(font_units, std::round(font_units * scale_));
   ImGui::GetIO().Fonts->AddFontDefault(&font);
@@ -106,7 +106,7 @@ void ImGuiPanel::side_panel(Viewer& viewer, PanelState& state) const {
   if (const auto output = edit_choice("output", viewer.output(), outputs); !output.empty())
     viewer.choose_output(output);
   edit_settings(viewer);
-  if (bool playing = viewer.playing(); ImGui::Checkbox("run the clock", &playing)) viewer.play(playing);
+  if (bool playing = viewer.playing(); ImGui::Checkbox("run the animation", &playing)) viewer.play(playing);
   if (ImGui::Button("Help (H)", ImVec2(-1, 0))) state.help = !state.help;
   statistics(viewer);
   ImGui::PopItemWidth();
@@ -144,8 +144,8 @@ void ImGuiPanel::messages(const Viewer& viewer, const PanelState& state) const {
     ImGui::TextUnformatted(words.c_str());
   };
   say("The scene cannot be drawn; the picture is the last good one:", trouble.drawing);
-  say("A shader does not compile; the picture is by the last good one:", trouble.shaders);
-  say("The new code cannot be loaded; the old one runs on:", trouble.code);
+  say("A shader does not compile; the picture uses the last good one:", trouble.shaders);
+  say("The new code cannot be loaded; the old code is still running:", trouble.code);
   if (!state.notice.empty()) ImGui::TextUnformatted(state.notice.c_str());
   ImGui::PopTextWrapPos();
   ImGui::End();

@@ -1,4 +1,4 @@
-// The panel where Dear ImGui is missing: nothing on the picture; what must be said goes to the terminal, once.
+// The panel without Dear ImGui: prints each message once to the terminal.
 #include <fmt/core.h>
 
 #include "app/window/panel.hpp"

@@ -43,7 +43,7 @@ Presenter::Presenter(Gl& gl) : gl_(gl), program_(build(gl)) {
 
 void Presenter::draw(const Target& picture, Encoding encoding, const PixelArea& area) {
   const DebugGroup group(gl_, "picture to window");
-  reset_state(gl_);  // no conversion to sRGB either: the shader encodes, and some windows would do so too
+  reset_state(gl_);  // also disables sRGB conversion: the shader encodes, and some windows would encode again
   gl_.Viewport(area.corner.x, area.corner.y, area.size.x, area.size.y);
   gl_.UseProgram(program_.id());
   gl_.Uniform1i(gl_.GetUniformLocation(program_.id(), "u_picture"), 0);

@@ -1,4 +1,4 @@
-// From linear light to the screen: draws the colour of a target into a part of the window.
+// Draws the colour of a target into a part of the window, encoded for the screen.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 
 namespace atelier {
 
-/// A part of a framebuffer in pixels, from the lower left corner as OpenGL counts.
+/// A part of a framebuffer in pixels, from the lower left corner as in OpenGL.
 struct PixelArea {
   glm::ivec2 corner{0}, size{1};
 };
@@ -18,10 +18,9 @@ class Presenter {
  public:
   explicit Presenter(Gl& gl);
 
-  /// Fills `area` of the framebuffer that is bound, pixel for pixel where it has the target's size. Linear colours are
-  /// encoded to sRGB (IEC 61966-2-1), the others shown as they are; all are clamped to 0..1. What is no number or
-  /// infinite shows as magenta: nothing else would tell. (A target of 8 bits holds no such thing; the renderer writes
-  /// magenta into it.)
+  /// Fills `area` of the bound framebuffer, pixel for pixel if it has the target's size. Linear colours are encoded to
+  /// sRGB (IEC 61966-2-1), others are unchanged; all are clamped to 0..1. NaN and infinity are shown as magenta. (An
+  /// 8-bit target cannot store them; the renderer writes magenta into it.)
   void draw(const Target& picture, Encoding encoding, const PixelArea& area);
 
  private:
@@ -29,7 +28,7 @@ class Presenter {
   GlProgram program_;
 };
 
-/// What the framebuffer that is bound shows, encoded as it is, row 0 at the top.
+/// Reads the bound framebuffer, without decoding, row 0 at the top.
 Image read_framebuffer(Gl& gl, glm::ivec2 size);
 
 }  // namespace atelier

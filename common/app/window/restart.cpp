@@ -48,7 +48,7 @@ Snapshot step_libraries(const StepIdentity& identity, const Implementations& imp
 
 Snapshot step_shaders(const Implementations& implementations) {
   Snapshot snapshot;
-  std::error_code missing;  // a folder may come and go while we look: it is then an empty one
+  std::error_code missing;  // a folder that disappears counts as empty
   for (const Implementations::Root& root : implementations.roots())
     for (const auto& step : fs::directory_iterator(root.folder, missing)) {
       const std::string name = step.path().filename().string();
@@ -71,7 +71,7 @@ bool Watch::settled_change(const Snapshot& now) {
 std::vector<std::string> to_arguments(const CommandLine& line) {
   std::vector<std::string> arguments;
   const auto add = [&](const char* option, const std::string& value) {
-    // One word: a value that begins with a minus sign would be taken for an option.
+    // One argument: a value that begins with a minus sign would be parsed as an option.
     if (!value.empty()) arguments.push_back(fmt::format("{}={}", option, value));
   };
   const Case& picture = line.picture;
@@ -97,7 +97,7 @@ fs::path this_program() {
   const fs::path path = fs::read_symlink("/proc/self/exe", failed);
   if (!failed) return path;
 #endif
-  throw Error("the file of the running program cannot be found: start it again to see the new code");
+  throw Error("the file of the running program cannot be found: restart it to use the new code");
 }
 
 std::string why_not_loadable(const fs::path& program, const CommandLine& line) {
@@ -117,7 +117,7 @@ void restart(const fs::path& program, const CommandLine& line) {
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(program.c_str(), pointers.data());
-  throw Error(fmt::format("{}: cannot be started again: {}", program.string(), std::generic_category().message(errno)));
+  throw Error(fmt::format("{}: cannot be restarted: {}", program.string(), std::generic_category().message(errno)));
 }
 
 }  // namespace atelier

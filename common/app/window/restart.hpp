@@ -1,7 +1,7 @@
-// Hot reload: noticing that shader files or step libraries have changed on disk, and starting the program again.
+// Hot reload: detects changed shader files and step libraries, and restarts the program.
 //
-// A loaded library cannot be exchanged safely (the scene may hold pointers into it), but the program starts in a tenth
-// of a second: it becomes itself again, with the same view on its command line.
+// A loaded library cannot be replaced safely (the scene may hold pointers into it), but the program starts in 0.1 s: it
+// executes itself again, with the same view on its command line.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace atelier {
 
-/// What files looked like at one time: path to time of change and size. Files that are not there are left out.
+/// Modification time and size of files at one time. Missing files are left out.
 struct FileState {
   std::filesystem::file_time_type changed;
   std::uintmax_t size;
@@ -23,32 +23,31 @@ struct FileState {
 };
 using Snapshot = std::map<std::filesystem::path, FileState>;
 
-/// The libraries that the program is made of: NN-name/libstep.so for each of identity.libraries. Fewer than that while
-/// one is being built: linkers delete before they write.
+/// The program's step libraries: NN-name/libstep.so for each of identity.libraries. One may be missing while it is
+/// built: linkers delete before they write.
 Snapshot step_libraries(const StepIdentity& identity, const Implementations& implementations);
 
 /// The shader files (.glsl .vert .frag .geom) in the NN-name/ folders of every root of the search path.
 Snapshot step_shaders(const Implementations& implementations);
 
-/// Says once when a set of files has changed and come to rest: a library that a linker is still writing changes from
-/// look to look.
+/// Reports once when a set of files has changed and is then stable: a library changes while the linker is writing it.
 class Watch {
  public:
   explicit Watch(Snapshot now) : known_(now), last_(std::move(now)) {}
-  /// True where `now` differs from what was last reported and equals the look before.
+  /// True if `now` differs from the last reported state and equals the previous one.
   bool settled_change(const Snapshot& now);
 
  private:
   Snapshot known_, last_;
 };
 
-/// The arguments from which parse_command_line makes `line` again. Only what a window needs.
+/// The arguments from which parse_command_line recreates `line`; only those that a window needs.
 std::vector<std::string> to_arguments(const CommandLine& line);
 
 /// The file of the running program.
 std::filesystem::path this_program();
 
-/// Empty where the program can load its code as it is on disk now, otherwise what it says. Asks a child process.
+/// Empty if the program can load the code on disk, otherwise its error message. Runs a child process.
 std::string why_not_loadable(const std::filesystem::path& program, const CommandLine& line);
 
 /// Replaces this process by `program`. Returns only by throwing Error.

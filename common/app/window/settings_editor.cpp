@@ -22,19 +22,19 @@ std::string own_name(const std::string& name) {
   return *group_end(name) == '.' ? group_end(name) + 1 : name;
 }
 
-/// A range over several powers of ten is told apart only on a logarithmic scale.
+/// Logarithmic for a range over several powers of ten.
 ImGuiSliderFlags scale_of(const SettingSpec& spec) {
   const bool wide = spec.low > 0 ? spec.high / spec.low >= 100 : spec.high - spec.low >= 1000;
   return ImGuiSliderFlags_AlwaysClamp | (wide ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
 }
 
-/// As many digits as a slider over this range can tell apart.
+/// As many digits as a slider over this range can resolve.
 const char* digits_of(const SettingSpec& spec) {
   const double span = spec.high - spec.low;
   return span >= 1000 ? "%.1f" : span >= 10 ? "%.2f" : span >= 0.1 ? "%.3f" : "%.3g";
 }
 
-/// One control by the type of the value; the new value where the user has changed it.
+/// One control, by the type of the value; returns the new value if the user has changed it.
 struct Control {
   const SettingSpec& spec;
   const char* label;
@@ -106,8 +106,8 @@ std::string edit_choice(const char* label, const std::string& current, const std
 }
 
 void edit_settings(Viewer& viewer) {
-  const std::vector<SettingSpec> specs = viewer.settings().specs();  // a copy: an edit changes the viewer's
-  std::string group = "\n";                                          // no name holds a line end
+  const std::vector<SettingSpec> specs = viewer.settings().specs();  // a copy, since an edit changes the viewer's
+  std::string group = "\n";                                          // differs from any group name
   bool open = false;
   for (const SettingSpec& spec : specs) {
     if (group_of(spec.name) != group) {

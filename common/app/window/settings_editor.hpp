@@ -1,15 +1,15 @@
-// The settings of a step as controls of Dear ImGui, each made from its specification alone.
+// Dear ImGui controls for the settings of a step, generated from their specifications.
 #pragma once
 
 #include "app/window/viewer.hpp"
 
 namespace atelier {
 
-/// A list to choose from in the ImGui window at hand; returns the name that was chosen now, or an empty string.
+/// A combo box in the current ImGui window; returns the newly chosen name, or an empty string.
 std::string edit_choice(const char* label, const std::string& current, const std::vector<std::string>& choices);
 
-/// A control a setting, grouped by what stands before the dot of its name ("shadow.resolution"); help as tooltips; a
-/// button that takes all of them back to their defaults.
+/// A control per setting, grouped by the part of its name before the dot ("shadow.resolution"), with help as tooltips;
+/// and a button that resets all to their defaults.
 void edit_settings(Viewer& viewer);
 
 }  // namespace atelier

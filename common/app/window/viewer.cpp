@@ -17,8 +17,7 @@
 namespace atelier {
 namespace {
 
-/// Refuses what a typing error on the command line has made; whatever the program itself refuses is shown in the
-/// window.
+/// Throws for unknown names on the command line; errors of the program itself are shown in the window.
 void check_names(const StepDescription& description, const std::string& scene, const std::string& output) {
   const auto& scenes = description.scenes;
   const bool known = std::find(scenes.begin(), scenes.end(), scene) != scenes.end();
@@ -32,7 +31,7 @@ void check_names(const StepDescription& description, const std::string& scene, c
         fmt::format("--output {}: {} has no such output{}", output, description.name, suggestion(output, outputs)));
 }
 
-/// Runs a student's code; returns the words of what it throws, or an empty string.
+/// Runs a student's code; returns the message of its exception, or an empty string.
 template <class Attempt>
 std::string words_of(Attempt&& attempt) {
   try {
@@ -41,7 +40,7 @@ std::string words_of(Attempt&& attempt) {
   } catch (const std::exception& error) {
     return *error.what() ? error.what() : "an exception without a message was thrown";
   } catch (...) {
-    return "something was thrown that is no std::exception";
+    return "an exception was thrown that is not a std::exception";
   }
 }
 
@@ -53,7 +52,7 @@ Viewer::Viewer(StepProgram& program, Gl& gl, const Implementations& implementati
       settings_(with_window_defaults(program.description().settings, most_samples(gl))),
       first_camera_(line.picture.camera) {
   const StepDescription& described = description();
-  if (described.scenes.empty()) throw Error(fmt::format("{}: it describes no scene to show", described.name));
+  if (described.scenes.empty()) throw Error(fmt::format("{}: it has no scene to show", described.name));
   scene_ = line.picture.scene.empty() ? described.scenes.front() : line.picture.scene;
   output_ = line.picture.output;
   check_names(described, scene_, output_);
@@ -77,7 +76,7 @@ void Viewer::choose_output(const std::string& name) {
 
 void Viewer::set(const std::string& name, const SettingValue& value) {
   settings_.set(name, value);
-  must_load_ = true;  // a setting may shape the scene itself
+  must_load_ = true;  // a setting may change the scene
 }
 
 void Viewer::reset_settings() {
@@ -95,7 +94,7 @@ void Viewer::resize(glm::ivec2 pixels) {
 // ---- The camera
 
 Camera Viewer::camera() const {
-  // Not moved means untouched to the last bit: the camera is then exactly that of --out.
+  // If not moved, the camera is exactly that of --out, to the last bit.
   Camera camera = program_.camera();
   if (first_camera_) camera = apply(*first_camera_, camera);
   return moved_ ? camera_on(orbit_, camera, start_) : camera;
@@ -139,7 +138,7 @@ void Viewer::load() {
   if (!trouble.drawing.empty()) return;
   loaded_ = must_draw_ = true;
   if (!take_camera_) return;
-  // The command line's camera is for the scene that the command line names, which is the first.
+  // The command line's camera is only for the first scene.
   if (picture()) first_camera_.reset();
   take_camera_ = moved_ = false;
   start_ = orbit_ = orbit_of(camera());
@@ -153,9 +152,9 @@ void Viewer::draw_into(const Target& target) {
     program_.draw({target, camera(), output_, time_}, settings_);
     target.resolve(gl_);
   }
-  gl_.Finish();  // the commands are only queued until then
+  gl_.Finish();  // until here commands are only queued
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  if (gl_.counts().programs_linked == 0) times_.add(taken.count());  // a compilation is no frame
+  if (gl_.counts().programs_linked == 0) times_.add(taken.count());  // frames that compile shaders are not timed
 }
 
 bool Viewer::draw() {

@@ -1,8 +1,8 @@
-// ./atelier audit: proves that the cases can tell right from wrong.
+// ./atelier audit: checks that the cases catch every known mistake and accept every right variant.
 //
 // Every known mistake is built and judged like a submission, by the cases that claim to catch it. It must lose points
-// on every one of them; the verdict's name for it is taken from another spelling of the mistake where there is one,
-// because the atlas was made from the first. Every variant (another right solution) must keep all points.
+// on every one of them. The name that the verdict gives it is taken from its second spelling if there is one, because
+// the atlas was made from the first. Every variant (another right solution) must keep all points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,10 +31,10 @@ struct MistakeAudit {
   std::string step, name;
   bool built = false, caught = false;
   std::optional<std::string> expected_case;  ///< the first case that claims to catch it
-  std::optional<std::string> caught_by;      ///< that case where it does, otherwise any that does
-  std::vector<std::string> claims_broken;    ///< cases that claim to catch it, and do not
-  std::optional<std::string> named;          ///< what the verdict called it
-  std::string trouble;                       ///< why it falls short, in words; empty where it does not
+  std::optional<std::string> caught_by;      ///< that case if it does, otherwise any that does
+  std::vector<std::string> claims_broken;    ///< cases that claim to catch it but do not
+  std::optional<std::string> named;          ///< the verdict's name for it
+  std::string trouble;                       ///< why it fails; empty if it does not
 };
 
 struct VariantAudit {
@@ -46,7 +46,7 @@ struct VariantAudit {
 struct Audit {
   std::vector<MistakeAudit> mistakes;
   std::vector<VariantAudit> variants;
-  Lacks lacks;  ///< of the steps, in sentences
+  Problems problems;  ///< of the steps, in sentences
 };
 
 bool loses_points(const CaseResult& result) {
@@ -64,16 +64,16 @@ const CaseResult& result_of(const StepResult& step, const std::string& name) {
   return *std::find_if(step.cases.begin(), step.cases.end(), [&](const CaseResult& c) { return c.name == name; });
 }
 
-/// The claiming cases that do not catch the version.
+/// The claiming cases that do not catch this version.
 std::vector<std::string> broken_claims(const StepResult& result, const std::vector<std::string>& claims) {
   std::vector<std::string> broken;
   for (const std::string& name : claims)
     if (const CaseResult& c = result_of(result, name); !loses_points(c) || c.status == judge::Status::missing)
-      broken.push_back(name);  // without an answer nothing is proven
+      broken.push_back(name);  // no answer proves nothing
   return broken;
 }
 
-/// The name that the verdict on the expected case gives, or else the one that the verdicts give most often.
+/// The name in the verdict on the expected case, or else the most frequent name.
 std::optional<std::string> name_given(const StepResult& result, const std::optional<std::string>& expected_case) {
   if (expected_case)
     if (const auto name = result_of(result, *expected_case).mistake) return name;
@@ -84,15 +84,14 @@ std::optional<std::string> name_given(const StepResult& result, const std::optio
   return most == votes.end() ? std::nullopt : std::optional(most->first);
 }
 
-/// Whether the program answered at all: where it drew nothing, nothing was proven about any case.
+/// Whether the program answered any case: otherwise nothing is proven.
 bool ran(const StepResult& result) {
   return std::any_of(result.cases.begin(), result.cases.end(), [](const CaseResult& c) {
     return c.status == judge::Status::passed || c.status == judge::Status::failed;
   });
 }
 
-/// One version through the judge; nothing, with the reason in `trouble`, where it does not build, its shaders included,
-/// or does not run.
+/// Judges one version; none, with the reason in `trouble`, if it (or a shader) does not build, or does not run.
 std::optional<StepResult> judge_version(const Workshop& workshop, const grade::StepJudge& judge,
                                         const grade::StepJudge& all_cases, const Version& version,
                                         std::string& trouble) {
@@ -106,7 +105,7 @@ std::optional<StepResult> judge_version(const Workshop& workshop, const grade::S
       trouble = fmt::format("{} does not build: {}: {}", version.name, c.name, c.reason);
       return std::nullopt;
     }
-  // A mistake may end every case that claims it; then the others must show that it runs.
+  // A mistake may crash every case that claims it; then other cases must show that it runs.
   if (!ran(result) &&
       (&judge == &all_cases || !ran(all_cases.judge(workshop.settings(version), judge::KeepEvidence::never)))) {
     trouble = fmt::format("{} does not run: {}", version.name, result.cases.front().reason);
@@ -115,8 +114,7 @@ std::optional<StepResult> judge_version(const Workshop& workshop, const grade::S
   return result;
 }
 
-/// Judged by the cases that claim to catch it alone: what other cases make of it proves nothing. By all where none
-/// claims, to find one that might.
+/// Judged only by the cases that claim to catch it; by all if none does, to find one that might.
 MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& criteria, const grade::StepJudge& all_cases,
                            const judge::Mistake& mistake) {
   MistakeAudit audit{.step = workshop.step().name, .name = mistake.name};
@@ -182,7 +180,7 @@ void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& au
       audited_variants[i - mistakes.size()] = audit_variant(workshop, judge, variants[i - mistakes.size()]);
   });
   audit.mistakes.insert(audit.mistakes.end(), audited_mistakes.begin(), audited_mistakes.end());
-  for (const std::string& lack : lacks_of_mistakes(folders, step)) audit.lacks.push_back(lack);
+  for (const std::string& problem : problems_of_mistakes(folders, step)) audit.problems.push_back(problem);
   audit.variants.insert(audit.variants.end(), audited_variants.begin(), audited_variants.end());
 }
 
@@ -210,7 +208,7 @@ std::string to_json(const Audit& audit) {
                         {"trouble", m.trouble}});
   for (const VariantAudit& v : audit.variants)
     variants.push_back({{"step", v.step}, {"name", v.name}, {"passed", v.passed}, {"trouble", v.trouble}});
-  return OrderedJson{{"mistakes", mistakes}, {"variants", variants}, {"lacks", audit.lacks}}.dump(
+  return OrderedJson{{"mistakes", mistakes}, {"variants", variants}, {"lacks", audit.problems}}.dump(
              2, ' ', false, OrderedJson::error_handler_t::replace) +
          "\n";
 }
@@ -233,7 +231,7 @@ void print_table(const Audit& audit) {
              count(audit.mistakes, [](const auto& m) { return m.caught; }), audit.mistakes.size(),
              count(audit.mistakes, [](const auto& m) { return m.named == m.name; }),
              count(audit.variants, [](const auto& v) { return v.passed; }), audit.variants.size());
-  fmt::print("{}", in_lines(audit.lacks));
+  fmt::print("{}", in_lines(audit.problems));
 }
 
 }  // namespace
@@ -250,9 +248,10 @@ int run_audit(const AuditOptions& options) {
     fmt::print("{}", json);
   else
     print_table(audit);
-  const bool short_of = !audit.lacks.empty() || std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) {
-    return falls_short(m);
-  }) || std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
+  const bool short_of =
+      !audit.problems.empty() ||
+      std::any_of(audit.mistakes.begin(), audit.mistakes.end(), [](auto& m) { return falls_short(m); }) ||
+      std::any_of(audit.variants.begin(), audit.variants.end(), [](auto& v) { return falls_short(v); });
   return short_of ? exit_failed : exit_ok;
 }
 

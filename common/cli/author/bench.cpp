@@ -1,4 +1,4 @@
-// ./atelier bench: medians, and how they stand to what the project aims at.
+// ./atelier bench: medians, compared with the project's targets.
 #include "cli/author/bench.hpp"
 
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-// What ./atelier bench measures, by where the time goes: whole commands, and the parts inside them.
+// The measurements of ./atelier bench: whole commands, and their parts.
 #pragma once
 
 #include <functional>
@@ -16,30 +16,30 @@ namespace atelier {
 /// One measured figure: the median of its runs.
 struct Figure {
   std::string name;    ///< "edit to verdict, GLSL"
-  std::string detail;  ///< of what: "10 cases of 256x256, cold shader cache"
+  std::string detail;  ///< conditions: "10 cases of 256x256, cold shader cache"
   double seconds = 0;  ///< median
   double least = 0, most = 0;
-  double limit = 0;  ///< what the project aims at, in seconds; 0: nothing
+  double limit = 0;  ///< the project's target, seconds; 0: none
 };
 
-/// Runs `action` `repeats` times, after `prepare` each time, whose own time does not count.
+/// Times `action` `repeats` times; calls `prepare` before each, untimed.
 Figure time_runs(std::string name, std::string detail, int repeats, const std::function<void()>& action,
                  const std::function<void()>& prepare = {});
 
-/// The commands of a student's loop on one step: an edit of each kind of file, the launcher, the program's start, the
-/// shader compiler with and without its optimiser.
+/// A student's usual commands on one step: an edit of each kind of file, the launcher, the program's start, the shader
+/// compiler with and without its optimiser.
 std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                                    const CourseStep& step, int repeats);
 
 /// The parts within this process: contexts and comparisons.
 std::vector<Figure> bench_parts(int repeats);
 
-/// A step's frames beside those of a baseline program, in `repeats` rounds.
+/// Frame times of a step compared with a baseline program, in `repeats` rounds.
 struct BaselineTable {
   measure::BaselinePlan plan;
   measure::BaselineComparison compared;
 };
-/// None where the step has no baseline.json, as in a release. Throws Error where the baseline's program is not built.
+/// None if the step has no baseline.json, as in a release. Throws Error if the baseline's program is not built.
 std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats);
 void print_baseline(const BaselineTable& table);
 nlohmann::ordered_json baseline_as_json(const BaselineTable& table);

@@ -1,4 +1,4 @@
-// A step's frames beside those of a baseline: tests/cases/NN-name/baseline.json, where a step has one.
+// Compares a step's frame times with a baseline: tests/cases/NN-name/baseline.json, if the step has one.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int frames = 15;  ///< in which a picture's time is taken, in each round
+constexpr int frames = 15;  ///< timed frames per picture and round
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// Whole commands, as a student waits for them.
+// Times whole commands.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,21 +31,21 @@ std::vector<JudgedCase> pick_cases(const std::vector<JudgedCase>& all) {
   return picked;
 }
 
-/// Runs a command whose failure would make its time worthless.
+/// Runs a command; throws Error if it fails.
 void must_run(const std::vector<std::string>& arguments) {
   const Finished finished = run_process({.arguments = arguments});
   if (!finished.ok())
     throw Error(fmt::format("bench: {} does not work: {}", arguments.front(), finished.output.substr(0, 500)));
 }
 
-/// A comment more: another text, and so another shader and another object, that does the same.
+/// Appends a comment, which forces a new build without changing behaviour.
 void edit(const fs::path& file) {
   std::ofstream out(file, std::ios::app);
   out << "// edited\n";
   if (!out.flush()) throw Error(file.string() + ": cannot be written");
 }
 
-/// The first file of the step with this ending, or an empty path.
+/// The first file of the step with this extension, or an empty path.
 fs::path file_with(const CourseStep& step, const std::string& ending) {
   for (const std::string& file : step.files)
     if (file.ends_with(ending)) return file;
@@ -58,7 +58,7 @@ std::vector<std::string> names_of(const std::vector<JudgedCase>& cases) {
   return names;
 }
 
-/// An edit of each kind of file, in a copy of the solution: nobody's own files are touched.
+/// An edit of each kind of file, in a copy of the solution.
 std::vector<Figure> bench_edits(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                                 const CourseStep& step, const std::vector<JudgedCase>& cases, int repeats) {
   const TemporaryFolder copy("atelier-bench");
@@ -91,7 +91,7 @@ std::vector<Figure> bench_edits(const ProjectFolders& folders, const std::vector
   const auto by_watch = [&] {
     if (!grade::all_passed(watched.judge())) throw Error("bench: the solution does not pass");
   };
-  by_watch();  // as in a session that has begun: references are in memory
+  by_watch();  // warm up: references are in memory
   add("save to verdict in watch, GLSL", ".glsl", 0.5, by_watch);
   add("save to verdict in watch, C++", ".cpp", 1.0, by_watch);
   figures.push_back(time_runs("nothing changed", fmt::format("{} cases, warm shader cache", cases.size()), repeats,
@@ -115,8 +115,8 @@ std::vector<Figure> bench_start(const ProjectFolders& folders, const CourseStep&
   return {with, start};
 }
 
-/// The driver's shader compiler is most of the time of a cold run; GALLIVM_PERF=nopt, which every run of the judge
-/// sets, halves it and changes no pixel.
+/// The driver's shader compiler takes most of the time of a cold run. GALLIVM_PERF=nopt, which the judge always sets,
+/// halves it and changes no pixel.
 std::vector<Figure> bench_shaders(const ProjectFolders& folders, const CourseStep& step,
                                   const std::vector<JudgedCase>& cases, int repeats) {
   const TemporaryFolder cache("atelier-bench-shaders");

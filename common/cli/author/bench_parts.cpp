@@ -1,4 +1,4 @@
-// The parts of a verdict that happen in this process.
+// Times the parts of a verdict in this process.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -13,7 +13,7 @@
 namespace atelier {
 namespace {
 
-/// A picture with structure at every scale, as a rendering has; `offset` moves it by a part of a level.
+/// A picture with structure at every scale, like a rendering; `offset` shifts its values by a fraction of a level.
 Image test_picture(int width, int height, float offset) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
@@ -25,7 +25,7 @@ Image test_picture(int width, int height, float offset) {
   return image;
 }
 
-/// The oracle on all processors: rays from the eye alone, and a picture with rays to the lights.
+/// The oracle on all CPU cores: only camera rays, and a picture with shadow rays.
 void bench_oracle(int repeats, std::vector<Figure>& figures) {
   const Scene scene = make_builtin_scene("teapot");
   const oracle::World world(scene);
@@ -47,8 +47,8 @@ void bench_oracle(int repeats, std::vector<Figure>& figures) {
 
 std::vector<Figure> bench_parts(int repeats) {
   std::vector<Figure> figures;
-  figures.push_back(
-      time_runs("context, OSMesa", "made and unmade", repeats, [] { make_headless_context(ContextKind::osmesa); }));
+  figures.push_back(time_runs("context, OSMesa", "created and destroyed", repeats,
+                              [] { make_headless_context(ContextKind::osmesa); }));
 
   const Image yours = test_picture(512, 512, 0.5f / 255), reference = test_picture(512, 512, 0);
   figures.push_back(
@@ -63,7 +63,7 @@ std::vector<Figure> bench_parts(int repeats) {
   for (const int threads : {1, 2}) {
     figures.push_back(time_runs(threads == 1 ? "FLIP, one thread" : "FLIP, two threads", "1920x1080", repeats,
                                 [&] { flip(other, large, {.threads = threads}); }));
-    // Half of what NVIDIA's own tool takes on the same cores.
+    // Half the time of NVIDIA's own tool on the same cores.
     figures.back().limit = threads == 1 ? 0.28 : 0.16;
   }
   bench_oracle(repeats, figures);

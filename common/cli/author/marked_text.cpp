@@ -18,7 +18,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
 }
 
-/// Whether a line is meant as a mark: what is then not spelled as one is a mistake of the author's, and would leave a
+/// Whether a line looks like a mark: if it is not an exact mark, it is an author's typing error, which would leave a
 /// part of the solution in the skeleton.
 bool looks_like_mark(std::string_view line) {
   return line.starts_with("//") && (line.find(">>>") != line.npos || line.find("<<<") != line.npos);
@@ -42,8 +42,8 @@ class Cutter {
     else if (text == skeleton_mark && part_ == Part::solution)
       part_ = Part::skeleton;
     else if (looks_like_mark(text) || text == skeleton_mark)
-      refuse(fmt::format("'{}' is no mark here; write '{} TASK', '{}' and '{}', each on its own line", text, open_mark,
-                         skeleton_mark, close_mark));
+      refuse(fmt::format("'{}' is not a mark here; write '{} TASK', '{}' and '{}', each on its own line", text,
+                         open_mark, skeleton_mark, close_mark));
     else if (part_ == Part::skeleton)
       uncomment(indentation, text);
     else
@@ -64,14 +64,14 @@ class Cutter {
 
   void open(std::string_view indentation, std::string_view task) {
     if (part_ != Part::common) refuse(fmt::format("a block inside the one that line {} opens", opened_));
-    if (task.empty()) refuse("the task is missing: say in one line what is to be written");
+    if (task.empty()) refuse("the task is missing: describe in one line what to write");
     part_ = Part::solution;
     opened_ = number_;
     ++tasks_;
     if (keep_ == Keep::skeleton) append(fmt::format("{}// TODO({}): {}", indentation, step_, task));
   }
 
-  /// A line without a mark, outside of the skeleton's part.
+  /// A line without a mark, outside the skeleton's part.
   void take_code(std::string_view line, std::string_view text) {
     if (part_ == Part::solution) left_out_.emplace_back(text);
     if (part_ == Part::common || keep_ == Keep::solution) append(line);
@@ -109,7 +109,7 @@ class Cutter {
   int number_ = 0, opened_ = 0, tasks_ = 0;
 };
 
-/// Feeds a text line by line; a last line without its end counts as one.
+/// Feeds a text line by line, including a last line without line end.
 void feed(Cutter& cutter, std::string_view text) {
   while (!text.empty()) {
     const auto end = text.find('\n');

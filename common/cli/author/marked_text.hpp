@@ -1,4 +1,4 @@
-// The one source of truth: the solution, with marks round what a student is to write. The skeleton is cut from it.
+// Solutions with marks around what a student must write. Skeletons are generated from them.
 //
 //   vec3 hello_colour(vec3 weights) {
 //     // >>> student: let the left corner be red, the right one green and the top one blue
@@ -15,8 +15,8 @@
 //     return vec3(0.5);
 //   }
 //
-// The part behind "--- skeleton" may be absent. Its lines stand in comments, so that the solution still compiles, and
-// keep the indentation of their own line. C++ and GLSL are marked alike.
+// The part after "--- skeleton" is optional. Its lines are comments, so that the solution still compiles, and keep the
+// comment's indentation. The same marks work in C++ and GLSL.
 #pragma once
 
 #include <string>
@@ -25,19 +25,18 @@
 
 namespace atelier {
 
-/// The skeleton of a marked text. `file` is how errors call it, `step` goes into the TODO lines. Throws Error with
-/// FILE:LINE for a block that is not closed, closed without being open, or inside another; for a task that is empty;
-/// for a skeleton line that is no "// |" comment; and for a line that looks like a mark and is none.
+/// The skeleton of a marked text. `file` is its name in errors, `step` is used in the TODO lines. Throws Error with
+/// FILE:LINE for a block that is not closed, not opened, or inside another; for an empty task; for a skeleton line that
+/// is not a "// |" comment; and for a line that looks like a mark but is not one.
 std::string cut_skeleton(std::string_view marked, const std::string& file, const std::string& step);
 
-/// The finished text without its marks and without the skeleton's lines. Throws as cut_skeleton does.
+/// The finished text, without marks and skeleton lines. Throws as cut_skeleton does.
 std::string finished_text(std::string_view marked, const std::string& file);
 
-/// The lines that the skeleton leaves out, without the blanks round them: what a student is to find out. Throws as
-/// cut_skeleton does.
+/// The lines that the skeleton leaves out, trimmed: the secret part of the solution. Throws as cut_skeleton does.
 std::vector<std::string> solution_lines(std::string_view marked, const std::string& file);
 
-/// The number of blocks that a student is to write: 0 for a text without marks. Throws as cut_skeleton does.
+/// The number of blocks that a student must write: 0 for a text without marks. Throws as cut_skeleton does.
 int count_tasks(std::string_view marked, const std::string& file);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// ./atelier measure: what each setting of a step costs, and how much of the error it takes away.
+// ./atelier measure: the cost of each setting of a step, and how much it reduces the error.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -28,11 +28,12 @@ using measure::Finding;
 using measure::Plan;
 using measure::Program;
 
-/// The solution, or the student's own files where there is none, or where they are asked for.
+/// The solution, or the student's own files if there is none or if they are requested.
 Program program_of(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                    const MeasureOptions& options) {
   Program program{.file = folders.program(step.name), .context = options.context};
-  program.shader_cache = folders.build / "cache" / "measure-shaders";  // shaders that the judge's are not: optimised
+  program.shader_cache =
+      folders.build / "cache" / "measure-shaders";  // separate from the judge's cache: these shaders are optimised
   if (!options.mine && is_there(folders, step.name, Owner::solution)) {
     program.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
     return program;
@@ -43,7 +44,7 @@ Program program_of(const ProjectFolders& folders, const std::vector<CourseStep>&
   return program;
 }
 
-/// Leaves only what has to do with one setting. Throws Error where nothing has.
+/// Keeps only the sweeps of one setting. Throws Error if there are none.
 void keep_setting(Plan& plan, const std::string& setting) {
   if (setting.empty()) return;
   std::set<std::string> measured;
@@ -58,11 +59,11 @@ void keep_setting(Plan& plan, const std::string& setting) {
                           suggestion(setting, {measured.begin(), measured.end()})));
 }
 
-/// Which sweep is being drawn: a line that is written over, on a terminal only.
-void tell(std::size_t place, std::size_t count, const std::string& name) {
+/// Shows which sweep is being drawn on one line, only on a terminal.
+void show_progress(std::size_t place, std::size_t count, const std::string& name) {
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K{} of {}: {}", place, count, name), std::fflush(stderr);
 }
-void tell_nothing() {
+void clear_progress() {
   if (::isatty(STDERR_FILENO)) fmt::print(stderr, "\r\033[K");
 }
 
@@ -72,14 +73,14 @@ measure::StepMeasured carry_out(const Plan& plan, const Program& program, const 
   const std::size_t count = plan.sweeps.size() + plan.fronts.size();
   std::size_t place = 0;
   for (const auto& sweep : plan.sweeps) {
-    tell(++place, count, sweep.name);
+    show_progress(++place, count, sweep.name);
     measured.sweeps.push_back(measure::run_sweep(program, listing, sweep, {.repeats = repeats}));
   }
   for (const auto& front : plan.fronts) {
-    tell(++place, count, front.name);
+    show_progress(++place, count, front.name);
     measured.fronts.push_back(measure::run_front(program, listing, front, {.repeats = repeats}));
   }
-  tell_nothing();
+  clear_progress();
   return measured;
 }
 
@@ -117,11 +118,11 @@ void print_results(const measure::StepMeasured& measured, const fs::path& out) {
   fmt::print("{}\n", (out / "index.html").string());
 }
 
-/// Draws the handout's plots again, or with `check` only compares their numbers with those that are stored.
+/// Draws the handout's plots, or with `check` only compares their numbers with the stored ones.
 int handle_handout(const ProjectFolders& folders, const CourseStep& step, Plan plan, const Program& program,
                    const measure::Listing& listing, bool check) {
   std::erase_if(plan.sweeps, [](const auto& sweep) { return !sweep.handout; });
-  plan.fronts.clear();  // they show times, which belong to one machine
+  plan.fronts.clear();  // their times differ between machines
   if (plan.sweeps.empty()) throw Error(fmt::format("{}: no sweep of those asked for is in the handout", step.name));
   const measure::StepMeasured measured = carry_out(plan, program, listing, 0);
   int status = exit_ok;
@@ -159,7 +160,7 @@ int run_measure(const MeasureOptions& options) {
   measure::check_against(plan, listing.settings, listing.output_names());
   keep_setting(plan, options.setting);
   if (!options.check && !measure::can_plot())
-    throw Error("measure: gnuplot draws the plots, and is not here; ./atelier doctor says how to install it");
+    throw Error("measure: gnuplot, which draws the plots, is not installed; ./atelier doctor says how to install it");
   if (options.handout) return handle_handout(folders, step, plan, program, listing, options.check);
 
   measure::StepMeasured measured = carry_out(plan, program, listing, options.frames);
@@ -171,11 +172,11 @@ int run_measure(const MeasureOptions& options) {
     fmt::print("{}", measure::as_json(measured));
   else
     print_results(measured, out);
-  // Of a student's own files and of single settings nothing more is asked.
+  // A student's own files and single settings need no further checks.
   const bool of_author = options.setting.empty() && !options.mine && is_there(folders, step.name, Owner::solution);
-  const Lacks lacks = of_author ? lacks_of_measured(folders, measured) : Lacks();
-  if (!options.json) fmt::print("{}", in_lines(lacks));
-  return all_met(all_findings(measured)) && lacks.empty() ? exit_ok : exit_failed;
+  const Problems problems = of_author ? problems_of_measured(folders, measured) : Problems();
+  if (!options.json) fmt::print("{}", in_lines(problems));
+  return all_met(all_findings(measured)) && problems.empty() ? exit_ok : exit_failed;
 }
 
 }  // namespace atelier

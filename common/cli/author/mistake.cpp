@@ -1,5 +1,5 @@
-// ./atelier mistake: known mistakes and variants of a step, made from an edited copy of its solution, and renewed where
-// the solution has changed.
+// ./atelier mistake: makes patches of known mistakes and variants from an edited copy of a step's solution, and updates
+// them when the solution has changed.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where a patch goes, and the list that has it.
+/// The file of a patch, and the list that names it.
 struct Place {
   fs::path patch, list;
 };
@@ -31,7 +31,7 @@ std::string relative(const ProjectFolders& folders, const fs::path& path) {
   return path.lexically_relative(folders.root).generic_string();
 }
 
-/// The command again, with another ending.
+/// The command line with another ending.
 std::string command(const CourseStep& step, const MistakeOptions& options, const std::string& ending = "") {
   const char* kind = options.variant ? " --variant" : options.spelling ? " --spelling" : "";
   return fmt::format("./atelier mistake {} {}{}{}", step.number(), options.name, kind, ending);
@@ -40,7 +40,8 @@ std::string command(const CourseStep& step, const MistakeOptions& options, const
 void check_name(const MistakeOptions& options) {
   static const std::regex form("[a-z0-9-]{1,64}");
   if (!std::regex_match(options.name, form))
-    throw Error(fmt::format("mistake '{}': a name is small letters, digits and dashes, at most 64", options.name));
+    throw Error(
+        fmt::format("mistake '{}': a name has lower-case letters, digits and dashes, at most 64", options.name));
   if (options.variant && options.spelling)
     throw Error("mistake: --variant and --spelling exclude each other: only a mistake has a second spelling");
 }
@@ -49,20 +50,20 @@ int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOp
           const fs::path& folder) {
   const Sources solution = sources_of(folders.solutions() / step.name);
   if (fs::exists(folder) && sources_of(folder) != solution)
-    throw Error(fmt::format("{}: is not the solution, so somebody works there; take it by {}, or remove the folder",
-                            folder.string(), command(step, options)));
+    throw Error(fmt::format("{}: has been edited; turn it into a patch with {}, or remove the folder", folder.string(),
+                            command(step, options)));
   for (const auto& [name, text] : solution) write_file(folder / name, text);
   fmt::print("{} is a copy of the solution. Make the {} there, then type\n\n  {}\n", folder.string(),
              options.variant ? "variant" : "mistake", command(step, options));
   return exit_ok;
 }
 
-void tell_what_is_next(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
-                       const Place& place) {
+void print_next_commands(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
+                         const Place& place) {
   const std::string list = relative(folders, place.list), number = step.number();
   const bool unwritten = read_file(place.list, 1 << 20).find(to_be_written) != std::string::npos;
   fmt::print("\nNext:\n");
-  if (unwritten) fmt::print("  write what is to be written of '{}' in {}\n", options.name, list);
+  if (unwritten) fmt::print("  write the texts of '{}' in {}\n", options.name, list);
   if (!options.spelling && !options.variant)
     fmt::print("  name it in the \"rejects\" of a case in tests/cases/{}/cases.json\n  {} --spelling --begin\n",
                step.name, command(step, options));
@@ -82,21 +83,21 @@ std::string listed(const Place& place, const MistakeOptions& options) {
 int take(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options, const fs::path& folder) {
   const Place place = place_of(folders, step, options);
   if (fs::exists(place.patch))
-    throw Error(fmt::format("{}: is there already; take another name, or remove this file to make it again",
+    throw Error(fmt::format("{}: exists already; choose another name, or remove this file to make it again",
                             place.patch.string()));
   if (!fs::exists(folder))
     throw Error(
-        fmt::format("{}: there is no such folder; {} makes it", folder.string(), command(step, options, " --begin")));
+        fmt::format("{}: there is no such folder; {} creates it", folder.string(), command(step, options, " --begin")));
   const std::string patch = patch_between(sources_of(folders.solutions() / step.name), sources_of(folder));
   if (patch.empty())
-    throw Error(fmt::format("{}: is the solution as it is; make the {} there first", folder.string(),
+    throw Error(fmt::format("{}: is still the unchanged solution; make the {} there first", folder.string(),
                             options.variant ? "variant" : "mistake"));
   const std::string list = listed(place, options);
   write_file(place.patch, patch);
   write_file(place.list, list);
-  if (options.from.empty()) fs::remove_all(folder);  // all of it is in the patch
+  if (options.from.empty()) fs::remove_all(folder);  // the patch has all changes
   fmt::print("{}\n{}\n", relative(folders, place.patch), relative(folders, place.list));
-  tell_what_is_next(folders, step, options, place);
+  print_next_commands(folders, step, options, place);
   return exit_ok;
 }
 
@@ -131,10 +132,10 @@ int rebase(const ProjectFolders& folders, const CourseStep& step, const std::str
         fmt::print("{}\n", name);
         continue;
       case State::conflict:
-        fmt::print("! {}: the solution has changed in the same lines; remove it and make it again\n", name);
+        fmt::print("! {}: the solution has changed in the same lines; remove the patch and make it again\n", name);
         break;
       case State::lost:
-        fmt::print("! {}: the solution now does the same; remove it, or make it again\n", name);
+        fmt::print("! {}: the solution now does the same; remove the patch, or make it again\n", name);
         break;
       case State::not_on_before:
         fmt::print("! {}: does not apply to the solution of {}\n", name, revision);
@@ -142,7 +143,7 @@ int rebase(const ProjectFolders& folders, const CourseStep& step, const std::str
     }
     ++left;
   }
-  fmt::print("{} patches: {} renewed, {} as they were, {} left for you\n", patches.size(), renewed,
+  fmt::print("{} patches: {} updated, {} unchanged, {} to fix by hand\n", patches.size(), renewed,
              int(patches.size()) - renewed - left, left);
   if (renewed > 0) fmt::print("Next:\n  ./atelier reference {0}\n  ./atelier audit {0}\n", step.number());
   return left == 0 ? exit_ok : exit_failed;
@@ -154,7 +155,7 @@ int run_mistake(const MistakeOptions& options) {
   const ProjectFolders folders = project_folders();
   const CourseStep step = resolve_step(read_course(folders.step_flags()), options.step);
   if (!options.rebase.empty()) {
-    if (!options.name.empty()) throw Error("mistake --rebase renews all patches of a step: leave the name out");
+    if (!options.name.empty()) throw Error("mistake --rebase updates all patches of a step: leave the name out");
     return rebase(folders, step, options.rebase);
   }
   check_name(options);

@@ -1,22 +1,22 @@
-// Entries of mistakes.json and variants.json, added without touching what else is there.
+// Adds entries to mistakes.json and variants.json without changing the rest.
 #pragma once
 
 #include <string>
 
 namespace atelier {
 
-/// What stands in a member that an author has to write: ./atelier audit asks for it.
+/// Placeholder in members that an author must write; ./atelier audit reports it.
 inline constexpr const char* to_be_written = "TO BE WRITTEN: ";
 
-/// The list with an entry more behind all others; `text` may be empty, for a list that is not there yet. Throws Error
-/// naming `file` where it does not end as a list does.
+/// The list with an entry appended; `text` may be empty for a new list. Throws Error naming `file` if it does not end
+/// like a list.
 std::string with_entry(const std::string& text, const std::string& entry, const std::string& file);
 
-/// A mistake, or a variant, whose words are to be written.
+/// A new entry of a mistake or a variant, with placeholders for its texts.
 std::string mistake_entry(const std::string& name);
 std::string variant_entry(const std::string& name);
 
-/// The list in which the mistake `name` has a second spelling, NAME.other.patch. Throws Error naming `file` where there
+/// The list with a second spelling, NAME.other.patch, added to the mistake `name`. Throws Error naming `file` if there
 /// is no such mistake.
 std::string with_spelling(const std::string& text, const std::string& name, const std::string& file);
 

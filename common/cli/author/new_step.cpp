@@ -1,4 +1,4 @@
-// ./atelier new-step: a step that builds, is judged and passes the tests, to be changed into the one that is meant.
+// ./atelier new-step: creates a step that builds, is judged and passes the tests, as a starting point for a real one.
 #include <fmt/format.h>
 
 #include "base/file.hpp"
@@ -17,7 +17,7 @@ int run_new_step(const NewStepOptions& options) {
   refuse_taken(root, names, files);
   write_step(root, files);
   for (const auto& [path, text] : files) fmt::print("{}\n", path);
-  fmt::print("{} files were made.\n\n{}", files.size(), instructions);
+  fmt::print("{} files were created.\n\n{}", files.size(), instructions);
   return 0;
 }
 

@@ -1,7 +1,7 @@
-// ./atelier reference: what every answer is compared with, drawn by the solution.
+// ./atelier reference: makes the references from the solution's answers.
 //
-// For each case the solution, the untouched skeleton and every known mistake answer. A case that could not tell one of
-// the mistakes that it claims to catch from the solution is refused; the other cases get their references.
+// For each case it runs the solution, the untouched skeleton and every known mistake. A case that cannot distinguish a
+// claimed mistake from the solution is refused; the other cases get their references.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -36,12 +36,12 @@ struct ReferenceRow {
   std::optional<std::string> nearest;  ///< the claimed mistake with the least margin
   double margin = 0;                   ///< its margin in tolerances
   std::string state;                   ///< "written", "as it was", "would change", "refused"
-  std::string trouble;                 ///< of a refused one: why
+  std::string trouble;                 ///< why it was refused
 };
 
 // --- What is drawn ---
 
-/// Every version's answers to the cases of a step, in the cases' order. All pictures at once: a few hundred megabytes.
+/// All versions' answers to the cases of a step, in the cases' order: a few hundred megabytes of pictures.
 struct Drawn {
   std::vector<Answer> solution, skeleton, truths;
   std::map<std::string, std::vector<Answer>> mistakes;
@@ -53,7 +53,7 @@ std::vector<Answer> draw(const Workshop& workshop, const Version& version, const
   return workshop.answers(version, cases);
 }
 
-/// A mistake that ends the program in every case of a step is none that a picture can reject.
+/// Throws if a mistake gives no answer in any case: no picture can reject it.
 void require_answer(const std::string& mistake, const std::vector<Answer>& answers) {
   const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
   if (!answers.empty() && std::none_of(answers.begin(), answers.end(), is_normal))
@@ -88,7 +88,7 @@ judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, cons
   return material;
 }
 
-// --- What is there ---
+// --- Existing files ---
 
 /// The files below `folder` that belong to a case, relative to it.
 std::set<fs::path> files_of(const fs::path& folder, const JudgedCase& c) {
@@ -106,7 +106,7 @@ std::set<fs::path> files_of(const fs::path& folder, const JudgedCase& c) {
   return files;
 }
 
-/// Without what another machine writes otherwise though it draws the same: its name, and a digest of compressed bytes.
+/// Without members that depend on the machine even for equal pictures: its name, and the hash of compressed bytes.
 strict_json::Json comparable(const fs::path& file) {
   strict_json::Json json = strict_json::parse(read_file(file), file.string());
   if (json.is_object()) json.erase("environment"), json.erase("sha256");
@@ -125,7 +125,7 @@ bool would_change(const fs::path& made, const fs::path& there, const JudgedCase&
                       [&](const fs::path& f) { return says_the_same(made / f, there / f); });
 }
 
-/// Puts the files that were made of a case in the place of those that are there, all or none.
+/// Replaces a case's files by the new ones, all or none.
 void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
   const std::set<fs::path> files = files_of(made, c), old = files_of(there, c);
   std::vector<Replacement> replacements;
@@ -145,8 +145,8 @@ void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
 
 // --- One case, one step ---
 
-/// Makes the reference in a folder of its own, and moves it only where it says something new: a run that changes
-/// nothing leaves every byte, and so the repository, as it was.
+/// Makes the reference in a temporary folder, and moves it only if its content is new, so that files do not change
+/// unnecessarily.
 ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::ReferenceMaterial& material,
                       bool check) {
   ReferenceRow row{.name = c.ask.name};
@@ -184,7 +184,7 @@ std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseS
   return rows;
 }
 
-// --- What is said ---
+// --- Output ---
 
 void print_table(const std::vector<ReferenceRow>& rows) {
   fmt::print("{:<16} {:<32} {:>9}  {:<28} {:>8}  {}\n", "step", "case", "bytes", "nearest claimed mistake", "margin",
@@ -196,19 +196,19 @@ void print_table(const std::vector<ReferenceRow>& rows) {
   }
 }
 
-/// What the step's cases lack beside, where all of them were asked for; of new references the truth.
-Lacks lacks_of(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
-               const std::vector<ReferenceRow>& rows) {
+/// Other problems of the step's cases, if all were requested, and of new references against the truth.
+Problems problems_of(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
+                     const std::vector<ReferenceRow>& rows) {
   std::vector<std::string> fresh;
   for (const ReferenceRow& row : rows)
     if (row.state == "written") fresh.push_back(row.name);
-  Lacks lacks = lacks_of_truth(folders, step, fresh);
+  Problems problems = problems_of_truth(folders, step, fresh);
   if (options.cases.empty())
-    for (const std::string& lack : lacks_of_cases(folders, step)) lacks.push_back(lack);
-  return lacks;
+    for (const std::string& problem : problems_of_cases(folders, step)) problems.push_back(problem);
+  return problems;
 }
 
-void print_json(const std::vector<ReferenceRow>& rows, const Lacks& lacks) {
+void print_json(const std::vector<ReferenceRow>& rows, const Problems& problems) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ReferenceRow& row : rows)
     list.push_back({{"step", row.step},
@@ -218,7 +218,7 @@ void print_json(const std::vector<ReferenceRow>& rows, const Lacks& lacks) {
                     {"margin", row.margin},
                     {"state", row.state},
                     {"trouble", row.trouble}});
-  fmt::print("{}\n", nlohmann::ordered_json{{"references", list}, {"lacks", lacks}}.dump(2));
+  fmt::print("{}\n", nlohmann::ordered_json{{"references", list}, {"lacks", problems}}.dump(2));
 }
 
 }  // namespace
@@ -230,20 +230,20 @@ int run_reference(const ReferenceOptions& options) {
         "reference: --case needs the one step that the case belongs to, as in ./atelier reference 02 --case NAME");
   const judge::Environment environment = grade::describe_environment("", folders.step_flags(), folders.root);
   std::vector<ReferenceRow> rows;
-  Lacks lacks;
+  Problems problems;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps)) {
     const auto more = make_step(folders, step, options, environment);
     rows.insert(rows.end(), more.begin(), more.end());
-    for (const std::string& lack : lacks_of(folders, step, options, more)) lacks.push_back(lack);
+    for (const std::string& problem : problems_of(folders, step, options, more)) problems.push_back(problem);
   }
-  options.json ? print_json(rows, lacks) : print_table(rows);
-  if (!options.json) fmt::print("{}", in_lines(lacks));
+  options.json ? print_json(rows, problems) : print_table(rows);
+  if (!options.json) fmt::print("{}", in_lines(problems));
 
   const auto any = [&](const char* state) {
     return std::any_of(rows.begin(), rows.end(), [&](const ReferenceRow& row) { return row.state == state; });
   };
-  if (any("refused")) throw Error("some references were refused, and stay as they were: the table says why");
-  return any("would change") || !lacks.empty() ? exit_failed : exit_ok;
+  if (any("refused")) throw Error("some references were refused and not changed: the table says why");
+  return any("would change") || !problems.empty() ? exit_failed : exit_ok;
 }
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// ./atelier skeleton: makes the students' files out of the solutions.
+// ./atelier skeleton: generates the students' files from the solutions.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,12 +16,12 @@
 namespace atelier {
 namespace {
 
-/// One file of a student, as it should be.
+/// The expected content of one student file.
 struct Skeleton {
   std::string name;  ///< "02-blinn-phong/blinn_phong.cpp"
   std::string text;
-  bool current = false;         ///< steps/ and the record have just this
-  bool somebodys_work = false;  ///< steps/ has a text that no run of this command has written
+  bool current = false;  ///< steps/ and the record match it
+  bool edited = false;   ///< steps/ has a file that this command has not written
 };
 
 std::vector<Skeleton> make_skeletons(const ProjectFolders& folders, const std::vector<CourseStep>& steps,
@@ -35,7 +35,7 @@ std::vector<Skeleton> make_skeletons(const ProjectFolders& folders, const std::v
       const SkeletonState state = skeleton_state(folders.steps(), record, skeleton.name);
       const bool same = state != SkeletonState::missing && read_file(folders.steps() / skeleton.name) == skeleton.text;
       skeleton.current = same && state == SkeletonState::untouched;
-      skeleton.somebodys_work = !same && state == SkeletonState::edited;
+      skeleton.edited = !same && state == SkeletonState::edited;
       skeletons.push_back(std::move(skeleton));
     }
   return skeletons;
@@ -56,21 +56,21 @@ int check(const std::vector<Skeleton>& skeletons) {
   return exit_failed;
 }
 
-/// Says what the steps' tests lack, and is the exit status of that.
-int tell_lacks(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
-  Lacks lacks;
+/// Prints the problems of the steps' tests; returns the exit status.
+int print_problems(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
+  Problems problems;
   for (const CourseStep& step : steps)
-    for (const std::string& lack : lacks_of_tests(folders, step)) lacks.push_back(lack);
-  fmt::print("{}", in_lines(lacks));
-  return lacks.empty() ? exit_ok : exit_failed;
+    for (const std::string& problem : problems_of_tests(folders, step)) problems.push_back(problem);
+  fmt::print("{}", in_lines(problems));
+  return problems.empty() ? exit_ok : exit_failed;
 }
 
 void refuse_to_overwrite(const std::vector<Skeleton>& skeletons) {
   std::vector<std::string> edited;
   for (const Skeleton& skeleton : skeletons)
-    if (skeleton.somebodys_work) edited.push_back("steps/" + skeleton.name);
+    if (skeleton.edited) edited.push_back("steps/" + skeleton.name);
   if (!edited.empty())
-    throw Error(fmt::format("somebody has worked on {}: nothing was written; --force overwrites it", join(edited)));
+    throw Error(fmt::format("{} has been edited: nothing was written; --force overwrites it", join(edited)));
 }
 
 }  // namespace
@@ -80,7 +80,7 @@ int run_skeleton(const SkeletonOptions& options) {
   const auto steps = resolve_steps(read_course(folders.step_flags()), options.steps);
   SkeletonRecord record = read_skeleton_record(folders.steps());
   const auto skeletons = make_skeletons(folders, steps, record);
-  if (options.check) return std::max(check(skeletons), tell_lacks(folders, steps));
+  if (options.check) return std::max(check(skeletons), print_problems(folders, steps));
 
   if (!options.force) refuse_to_overwrite(skeletons);
   for (const Skeleton& skeleton : skeletons) {
@@ -91,7 +91,7 @@ int run_skeleton(const SkeletonOptions& options) {
   }
   write_skeleton_record(folders.steps(), record);
   fmt::print("{} skeletons are up to date\n", skeletons.size());
-  return tell_lacks(folders, steps);
+  return print_problems(folders, steps);
 }
 
 }  // namespace atelier

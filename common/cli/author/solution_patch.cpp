@@ -36,7 +36,7 @@ std::string said_by_git(const fs::path& root, std::vector<std::string> arguments
   return git.output;
 }
 
-/// Whether the patch, as it is, makes `wanted` of `now`, every line around its changes being as it says.
+/// Whether the unchanged patch turns `now` into `wanted`, with exact context lines.
 bool makes(const fs::path& patch, const Sources& now, const Sources& wanted) {
   const TemporaryFolder folder("atelier-patched");
   write_sources(now, folder.path());
@@ -96,7 +96,7 @@ Renewed renewed_patch(const fs::path& patch, const Sources& before, const Source
   const Sources changed = sources_of(folder.path() / "changed");
   Sources after = now;
   for (auto& [name, text] : after) {
-    if (!before.contains(name)) continue;  // a file that the solution did not have
+    if (!before.contains(name)) continue;  // a file that the old solution did not have
     const auto both = merged(text, before.at(name), changed.at(name));
     if (!both) return {.state = Renewed::State::conflict, .text = {}};
     text = *both;

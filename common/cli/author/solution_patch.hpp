@@ -1,4 +1,4 @@
-// Patches on a step's solution, as tests/mistakes/ and tests/variants/ hold them: written, and renewed where the
+// Patches on a step's solution, as in tests/mistakes/ and tests/variants/: creates them, and updates them when the
 // solution has changed.
 #pragma once
 
@@ -11,28 +11,28 @@ namespace atelier {
 /// A step's files by their names.
 using Sources = std::map<std::string, std::string>;
 
-/// The regular files of a folder. Throws Error where there is no such folder.
+/// The regular files of a folder. Throws Error if there is no such folder.
 Sources sources_of(const std::filesystem::path& folder);
 
-/// The files as they are in git at a revision, `folder` being relative to `root`. Throws Error with git's words.
+/// The files at a git revision; `folder` is relative to `root`. Throws Error with git's message.
 Sources sources_at(const std::filesystem::path& root, const std::string& revision, const std::string& folder);
 
-/// The patch that makes `after` of `before`, as `diff -u` with the paths a/FILE and b/FILE; empty where nothing
-/// differs. Throws Error where the names of the files are not the same.
+/// The patch from `before` to `after`, as `diff -u` with the paths a/FILE and b/FILE; empty if nothing differs. Throws
+/// Error if the file names differ.
 std::string patch_between(const Sources& before, const Sources& after);
 
 struct Renewed {
   enum class State {
-    as_it_was,  ///< it still makes what it is to make
+    as_it_was,  ///< it still applies with the same result
     renewed,
     conflict,       ///< both have changed the same lines
     lost,           ///< the solution now does what the patch did
-    not_on_before,  ///< the patch does not apply to the solution that it is said to be for
+    not_on_before,  ///< the patch does not apply to the given old solution
   } state = State::as_it_was;
-  std::string text;  ///< of a patch that is renewed
+  std::string text;  ///< of an updated patch
 };
 
-/// A patch on `before` as one on `now`, by a merge of three (cli/merge.hpp).
+/// Converts a patch on `before` to one on `now`, by a three-way merge (cli/merge.hpp).
 Renewed renewed_patch(const std::filesystem::path& patch, const Sources& before, const Sources& now);
 
 }  // namespace atelier

@@ -1,7 +1,7 @@
-// ./atelier stability: every function at its extremes, and how the error grows on the way there.
+// ./atelier stability: tests every function with extreme inputs, and plots how the error grows.
 //
-// The rows and the sweeps are tests/stability/; each table has a program of its own, because it runs the code of steps.
-// This runs them, puts the worst rows first, and draws the sweeps.
+// tests/stability/ has the rows and the sweeps; each table has its own program, because it runs the code of steps. This
+// command runs them, sorts the worst rows first, and plots the sweeps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct StabilityRow {
   double error = 0, bound = 0;
   bool held = false;
 
-  /// How much of the bound is used up: at most 1 where the row holds, infinite where it cannot be said.
+  /// Error divided by bound: at most 1 if the row holds, infinite if unknown.
   double used() const { return bound > 0 ? error / bound : error > 0 || !held ? infinite : 0; }
 };
 
@@ -48,7 +48,7 @@ StabilityRow row_of(const std::string& table, const OrderedJson& json) {
           .held = json.at("held")};
 }
 
-/// Every table, or the one that is meant.
+/// All tables, or the requested one.
 std::vector<std::string> tables_of(const std::vector<CourseStep>& course, const std::string& asked) {
   if (asked == "common") return {"common"};
   if (!asked.empty()) return {resolve_step(course, asked).name};
@@ -61,12 +61,12 @@ fs::path program_of(const ProjectFolders& folders, const std::string& table) {
   return folders.build / "bin" / ("stability-" + table);
 }
 
-/// What the table's program has written.
+/// The output of the table's program.
 OrderedJson try_table(const ProjectFolders& folders, const CourseStep& step, const fs::path& out) {
   const std::string& table = step.name;
   const fs::path file = out / (table + ".json");
   std::error_code none;
-  fs::remove(file, none);  // yesterday's must not be taken for today's
+  fs::remove(file, none);  // do not read an old result
   const Implementations solutions = search_path(folders, step, code_of(folders, Owner::solution), {});
   const Finished finished =
       run_process({.arguments = {program_of(folders, table), solutions.to_string(), file.string()}});
@@ -108,7 +108,7 @@ std::string sweep_as_csv(const OrderedJson& sweep) {
   return csv;
 }
 
-/// The sweep as a picture, where this machine can draw one, and as numbers.
+/// Writes the sweep as numbers and, if `with_plot`, as a plot.
 void write_sweep(const OrderedJson& sweep, const fs::path& out, bool with_plot) {
   const std::string name = sweep.at("name");
   write_file(out / (name + ".csv"), sweep_as_csv(sweep));
@@ -150,7 +150,7 @@ int run_stability(const StabilityOptions& options) {
   std::erase_if(tables, [&](const std::string& table) { return !fs::exists(program_of(folders, table)); });
   if (tables.empty())
     throw Error(fs::exists(folders.root / "tests" / "stability")
-                    ? "there is no table of extremes for this step; tests/stability/ has those that there are"
+                    ? "there is no table of extremes for this step; see tests/stability/"
                     : "a release has no tests of its own; ./atelier check STEP judges your files");
 
   fs::create_directories(out);
@@ -170,8 +170,8 @@ int run_stability(const StabilityOptions& options) {
     fmt::print("{}\n", OrderedJson{{"tables", answers}}.dump(2));
   } else {
     print_rows(rows, options.all);
-    fmt::print("All rows{} are in {}\n",
-               with_plots ? " and the plots" : " and, for want of gnuplot, the plots' numbers", out.string());
+    fmt::print("All rows{} are in {}\n", with_plots ? " and the plots" : " and, without gnuplot, the plots' numbers",
+               out.string());
   }
   return std::all_of(rows.begin(), rows.end(), [](const StabilityRow& r) { return r.held; }) ? exit_ok : exit_failed;
 }

@@ -47,7 +47,7 @@ std::map<std::string, double> points_of(const ProjectFolders& folders, const Cou
   return points;
 }
 
-/// The hours of each tier as the handout's own table has them, "5 + 2 + 1½"; empty without one.
+/// The hours of each tier from the handout's table, "5 + 2 + 1½"; empty without one.
 std::string hours_of(const ProjectFolders& folders, const CourseStep& step) {
   const std::string handout = read_file(folders.handouts() / (step.name + ".md"), 4 << 20);
   std::vector<std::string> hours;

@@ -1,12 +1,11 @@
-// The tables of all steps in README.md and handouts/README.md: their rows follow from what each step says of itself.
+// Generates the rows of the step tables in README.md and handouts/README.md.
 //
-// Titles are those of step.cmake, points those of the cases, hours those of the handout's own table. The words are in
+// Titles come from step.cmake, points from the cases, hours from the handout's table. The texts are in
 // docs/steps/NN-name.json:
 //   {"picture": "what docs/pictures/NN-name.png shows", "sentence": "for README.md", "topics": "for
 //   handouts/README.md",
 //    "hours": "½"}    (hours only where the handout has no table of tiers)
-// Steps that are only planned stand in docs/steps/planned.json, a list of {"step", "sentence"}; one whose number there
-// is by now is passed over.
+// Planned steps are in docs/steps/planned.json, a list of {"step", "sentence"}; entries of existing steps are ignored.
 #pragma once
 
 #include <string>
@@ -17,7 +16,7 @@
 
 namespace atelier {
 
-/// The rows of README.md. Throws Error naming file and member where a step's words are missing.
+/// The rows of README.md. Throws Error naming file and member if a step's texts are missing.
 std::string rows_of_readme(const ProjectFolders& folders, const std::vector<CourseStep>& course);
 
 /// The rows of handouts/README.md. Throws likewise.
@@ -26,8 +25,8 @@ std::string rows_of_handouts(const ProjectFolders& folders, const std::vector<Co
 inline constexpr std::string_view table_begins = "<!-- rows by ./atelier tables -->\n";
 inline constexpr std::string_view table_ends = "<!-- end of rows -->\n";
 
-/// The text with other rows in the table between these two lines; the table's first two lines stay. Throws Error naming
-/// `file` where the lines are not there, once and in this order, or no table is between them.
+/// Replaces the rows of the table between these two lines; the table's first two lines stay. Throws Error naming `file`
+/// unless both lines occur once, in this order, with a table between them.
 std::string with_rows(const std::string& text, const std::string& rows, const std::string& file);
 
 }  // namespace atelier

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t longest_name = 32, longest_title = 60;
 
-/// Words that can be no namespace or no prefix of a function: of C++ and of GLSL, and names that are ours.
+/// Names that cannot be a namespace or a prefix of functions: keywords of C++ and GLSL, and our own names.
 const std::set<std::string> reserved = {
     "and",       "asm",      "atelier",   "auto",      "bool",     "break",    "case",     "catch",   "char",
     "class",     "const",    "continue",  "default",   "delete",   "discard",  "do",       "double",  "else",
@@ -32,7 +32,7 @@ const std::set<std::string> reserved = {
     "true",      "try",      "typedef",   "union",     "uniform",  "unsigned", "using",    "varying", "virtual",
     "void",      "volatile", "while",     "xor"};
 
-/// The folders that have one for each step.
+/// The folders with a subfolder for each step.
 const std::vector<std::string> step_folders = {"steps",          "solutions",      "tests/cases",
                                                "tests/mistakes", "tests/variants", "tests/stability"};
 
@@ -57,7 +57,7 @@ std::string lowest_free_number(const fs::path& root) {
   return "none";
 }
 
-/// Steps of this project that git does not have yet; none where there is no git.
+/// Steps that are not committed yet; none without git.
 std::vector<std::string> uncommitted_steps(const fs::path& root) {
   std::vector<std::string> names;
   try {
@@ -67,7 +67,7 @@ std::vector<std::string> uncommitted_steps(const fs::path& root) {
     if (git.ok())
       for (std::sregex_iterator at(git.output.begin(), git.output.end(), made), end; at != end; ++at)
         names.push_back((*at)[1]);
-  } catch (const Error&) {  // there is no git
+  } catch (const Error&) {  // no git
   }
   return names;
 }
@@ -87,7 +87,7 @@ StepNames names_of_step(const std::string& text, const std::string& title) {
     throw Error(
         fmt::format("new-step '{}': the number must be 03 or more: a new step is built on steps 01 and 02", text));
   if (reserved.contains(names.name))
-    throw Error(fmt::format("new-step '{}': '{}' is a word of C++ or GLSL; take another name", text, names.name));
+    throw Error(fmt::format("new-step '{}': '{}' is a reserved name; choose another", text, names.name));
   if (title.empty()) {
     names.title = names.name;
     std::replace(names.title.begin(), names.title.end(), '-', ' ');
@@ -98,9 +98,9 @@ StepNames names_of_step(const std::string& text, const std::string& title) {
   };
   if (names.title.size() > longest_title || names.title.front() == ' ' ||
       std::any_of(names.title.begin(), names.title.end(), unfit))
-    throw Error(
-        fmt::format("new-step: --title '{}': at most {} bytes, no blank at its begin, and none of \" \\ | $ ; @ ` < >",
-                    names.title, longest_title));
+    throw Error(fmt::format(
+        "new-step: --title '{}': at most {} bytes, no space at its beginning, and none of \" \\ | $ ; @ ` < >",
+        names.title, longest_title));
   bool begins = true;
   for (char& c : names.name) {
     if (c != '-') names.type += begins && c >= 'a' ? char(c - 'a' + 'A') : c;
@@ -122,8 +122,8 @@ std::string filled_in(const std::string& text, const StepNames& names, const std
   for (std::sregex_iterator at(text.begin(), text.end(), placeholder), end; at != end; ++at) {
     const auto found = values.find(at->str());
     if (found == values.end())
-      throw Error(fmt::format("{}: {} is no placeholder; there are @STEP@, @NUMBER@, @NAME@, @TYPE@ and @TITLE@", where,
-                              at->str()));
+      throw Error(fmt::format("{}: {} is not a placeholder; there are @STEP@, @NUMBER@, @NAME@, @TYPE@ and @TITLE@",
+                              where, at->str()));
     out.append(rest, (*at)[0].first);
     out += found->second;
     rest = (*at)[0].second;
@@ -148,25 +148,23 @@ void refuse_taken(const fs::path& root, const StepNames& names, const StepFiles&
     for (const std::string& step : numbered_in(root / folder)) {
       const std::string there = folder + "/" + step;
       if (step.starts_with(names.number + "-"))
-        throw Error(
-            fmt::format("new-step {}: {} is there already, so the number {} is taken; the lowest that is free is {}",
-                        names.step, there, names.number, lowest_free_number(root)));
+        throw Error(fmt::format("new-step {}: {} exists already, so the number {} is in use; the lowest free one is {}",
+                                names.step, there, names.number, lowest_free_number(root)));
       if (step.substr(3) == names.step.substr(3))
-        throw Error(fmt::format("new-step {}: {} is there already, so the name '{}' is taken; take another", names.step,
-                                there, step.substr(3)));
+        throw Error(fmt::format("new-step {}: {} exists already, so the name '{}' is in use; choose another",
+                                names.step, there, step.substr(3)));
     }
   for (const auto& [path, text] : files)
     if (fs::exists(root / path))
-      throw Error(fmt::format("new-step {}: {} is there already: move it away or take another name", names.step, path));
+      throw Error(fmt::format("new-step {}: {} exists already: move it away or choose another name", names.step, path));
   if (const auto begun = uncommitted_steps(root); !begun.empty())
     throw Error(
-        fmt::format("new-step {}: {} has been begun and is not committed; commit it, or remove its files, which "
-                    "'git status' lists",
+        fmt::format("new-step {}: {} is not committed; commit it, or remove its files, which 'git status' lists",
                     names.step, join(begun)));
 }
 
 void write_step(const fs::path& root, const StepFiles& files) {
-  std::vector<fs::path> made;  // folders, the outer before the inner
+  std::vector<fs::path> made;  // folders, outer before inner
   std::vector<Replacement> replacements;
   try {
     for (const auto& [path, text] : files) {

@@ -22,7 +22,7 @@ int run_tables(const TablesOptions& options) {
     if (!same && !options.check) write_file(file, wanted);
     fmt::print("{}: {}\n", file.string(),
                same            ? "as it was"
-               : options.check ? "its rows are not those of today: run ./atelier tables"
+               : options.check ? "its rows are out of date: run ./atelier tables"
                                : "written");
   }
   return status;

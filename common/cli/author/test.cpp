@@ -1,11 +1,11 @@
-// ./atelier test: everything that must hold, in three tiers.
+// ./atelier test: runs the tests, in three tiers.
 //
 //   --quick   the unit tests, and the steps' solutions through the judge
-//   (usual)   all but what is labelled "long", and the unit tests once more under AddressSanitizer and UBSan
-//   --all     everything, and the unit tests in a build where every file is compiled by itself
-//   --step    what must hold of one step, topic by topic (test_step.cpp)
+//   (default) all except "long" tests, and the unit tests again under AddressSanitizer and UBSan
+//   --all     everything, and the unit tests in a build without unity files
+//   --step    the tests of one step, topic by topic (test_step.cpp)
 //
-// ctest runs the programs; labels say which tier they belong to (tests/CMakeLists.txt). The launcher has built them.
+// ctest runs the programs; their labels give the tier (tests/CMakeLists.txt). The launcher has built them.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
@@ -30,14 +30,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs a program on our own terminal, since these take minutes and somebody is watching. Returns its exit status, or
-/// 128 and the signal's number, as a shell does.
+/// Runs a program attached to our terminal. Returns its exit status, or 128 plus the signal's number, like a shell.
 int run_attached(std::vector<std::string> arguments) {
   std::fflush(stdout);
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
-  // With signals as a fresh program expects them: what we ignore it would ignore, too.
+  // Reset signal handling, since ignored signals are inherited.
   sigset_t ours;
   sigemptyset(&ours);
   sigaddset(&ours, SIGPIPE);
@@ -63,20 +62,20 @@ std::string jobs() {
 Tally run_ctest(const fs::path& build, const std::vector<std::string>& selection) {
   const fs::path junit = build / "tests.junit.xml";
   std::error_code none;
-  fs::remove(junit, none);  // a report of yesterday must not be counted
+  fs::remove(junit, none);  // do not count an old report
   std::vector<std::string> arguments = {"ctest", "--test-dir", build.string(), "--output-on-failure",
                                         "--no-tests=error", "--parallel", jobs(), "--output-junit", junit.string(),
-                                        // Whole outputs, because their last lines are counted.
+                                        // Full outputs, because their last lines are parsed.
                                         "--test-output-size-passed", "1000000", "--test-output-size-failed", "1000000"};
   arguments.insert(arguments.end(), selection.begin(), selection.end());
   const int status = run_attached(arguments);
   Tally tally = fs::exists(junit) ? tally_of_junit(read_file(junit)) : Tally{};
-  if (status != 0 && tally.failed == 0) tally.failed = 1;  // ctest itself is not content
+  if (status != 0 && tally.failed == 0) tally.failed = 1;  // ctest itself failed
   return tally;
 }
 
-/// Builds targets of one of CMakePresets.json's presets, in a build folder of its own, and runs the tests of a label
-/// there. A build that fails is one failed test.
+/// Builds targets of a preset of CMakePresets.json in its own build folder, and runs the tests of a label there. A
+/// failed build counts as one failed test.
 Tally run_preset(const ProjectFolders& folders, const std::string& preset, const std::vector<std::string>& targets,
                  const std::string& label) {
   const fs::path build = folders.root / "build" / preset;
@@ -114,12 +113,12 @@ int run_test(const TestOptions& options) {
                          : run_ctest(folders.build, selection_of(options.tier));
   if (!one_step && options.tier != TestOptions::Tier::quick) {
     fmt::print("\n{} under AddressSanitizer and UndefinedBehaviorSanitizer, in build/sanitize\n",
-               all ? "All unit tests" : "Unit tests of the judge and of all that reads input");
+               all ? "All unit tests" : "Unit tests of the judge and of all code that reads input");
     tally += all ? run_preset(folders, "sanitize", {"unit_tests"}, "unit")
                  : run_preset(folders, "sanitize", {"sanitized_unit_tests"}, "reads-input");
   }
   if (all) {
-    fmt::print("\nEvery file compiled by itself, unoptimised, and the unit tests so, in build/debug\n");
+    fmt::print("\nAll files compiled separately, unoptimised, and the unit tests, in build/debug\n");
     tally += run_preset(folders, "debug", {"all", "baselines"}, "unit");
   }
 

@@ -10,13 +10,13 @@
 namespace atelier {
 namespace {
 
-/// The topics of tests/steps/ that have tests of single steps, the quickest first: most failures are seen at once.
-/// References are not drawn anew: that takes as long as all others together, and `solutions` and `truth` judge them.
+/// The topics of tests/steps/ with tests of single steps, the fastest first. References are not drawn again: that takes
+/// as long as all others together, and `solutions` and `truth` judge them.
 constexpr const char* topics[] = {"skeletons", "handouts", "required", "solutions", "audit",
                                   "tiers",     "blind",    "measure",  "truth"};
 
-/// Says how it ended, and counts it: as Catch2 does, or as one test.
-Tally told(const char* topic, const Finished& run) {
+/// Prints the result of a run and counts its tests: by Catch2's summary, or as one test.
+Tally report(const char* topic, const Finished& run) {
   fmt::print("{} {:<11} {:>5.1f} s\n", run.ok() ? "✓" : "✗", topic, run.seconds);
   if (!run.ok()) fmt::print("{}\n", run.output);
   std::fflush(stdout);
@@ -36,12 +36,12 @@ Tally test_step(const ProjectFolders& folders, const CourseStep& step) {
     const Finished run = run_process({.arguments = {(folders.build / "bin" / "steps-tests").string(), tests},
                                       .folder = folders.root,
                                       .output_limit = 16 << 20});
-    if (run.output.find("No tests ran") == std::string::npos) tally += told(topic, run);
+    if (run.output.find("No tests ran") == std::string::npos) tally += report(topic, run);
   }
   if (std::filesystem::exists(folders.build / "bin" / ("stability-" + step.name)))
-    tally += told("stability", run_process({.arguments = {(folders.build / "bin" / "atelier").string(), "stability",
-                                                          step.name, "--out", (folders.build / "stability").string()},
-                                            .output_limit = 16 << 20}));
+    tally += report("stability", run_process({.arguments = {(folders.build / "bin" / "atelier").string(), "stability",
+                                                            step.name, "--out", (folders.build / "stability").string()},
+                                              .output_limit = 16 << 20}));
   return tally;
 }
 

@@ -1,4 +1,4 @@
-// All that must hold of one step: ./atelier test --step NN.
+// The tests of one step: ./atelier test --step NN.
 #pragma once
 
 #include "cli/author/test_tally.hpp"
@@ -6,8 +6,8 @@
 
 namespace atelier {
 
-/// Runs, topic by topic, the tests of tests/steps/ that go through all steps, with this step alone, those that are
-/// about it, and its table of extremes. Prints a line for each topic, and all that was said where one fails.
+/// Runs, topic by topic, the tests of tests/steps/ that apply to each step, only for this step, those tagged with it,
+/// and its table of extremes. Prints a line for each topic, and the output of failed ones.
 Tally test_step(const ProjectFolders& folders, const CourseStep& step);
 
 }  // namespace atelier

@@ -11,7 +11,7 @@ int number(const std::csub_match& match) {
   return match.matched ? std::stoi(match.str()) : 0;
 }
 
-/// The last match of `pattern`: what a program says last is about all that it did.
+/// The last match of `pattern`, which is the summary of the whole run.
 bool last_match(std::string_view text, const std::regex& pattern, std::cmatch& match) {
   bool found = false;
   for (std::cregex_iterator it(text.data(), text.data() + text.size(), pattern), end; it != end; ++it) {

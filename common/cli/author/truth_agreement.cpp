@@ -23,10 +23,10 @@ Case showing(Case ask, const std::string& output) {
   return ask;
 }
 
-/// Pixels with an edge of the truth within one pixel: another thing, another surface behind it, another colour.
+/// Pixels within one pixel of an edge of the truth: where node, surface or colour change.
 Mask near_edges(const std::string& name, const std::map<std::string, Image>& truth, const Compared& how) {
   const Image& shown = truth.at(name);
-  const Image nothing(shown.width(), shown.height());  // the triangle has colours alone
+  const Image nothing(shown.width(), shown.height());  // the triangle has only colours
   const auto picture = [&](const char* output) -> const Image& {
     const auto found = truth.find(name + output);
     return found == truth.end() ? nothing : found->second;

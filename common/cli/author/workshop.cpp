@@ -26,7 +26,7 @@ Workshop::Workshop(const ProjectFolders& folders, const CourseStep& step)
 
 namespace {
 
-/// A digest of the C++ files of a step.
+/// A hash of the C++ files of a step.
 std::string digest_of_cpp(const fs::path& folder, const CourseStep& step) {
   std::string text;
   for (const std::string& file : step.files)
@@ -39,10 +39,10 @@ std::string digest_of_cpp(const fs::path& folder, const CourseStep& step) {
 Version Workshop::make(const std::string& name, const std::function<void(const fs::path&)>& write) const {
   Version version{.name = name, .code = {root_ / name / "sources", {}}, .built = false, .log = {}};
   try {
-    fs::remove_all(version.code.sources);  // no file of an earlier version of this version may stay
+    fs::remove_all(version.code.sources);  // remove files of an earlier run
     const fs::path sources = version.code.sources / step_.name;
     write(sources);
-    // Half of the versions differ in their shaders alone: the same C++ is compiled once, from a place of its own.
+    // Half of the versions differ only in shaders: compile equal C++ once, in a shared folder.
     const fs::path compiled = root_ / "compiled" / digest_of_cpp(sources, step_);
     for (const std::string& file : step_.files)
       if (!fs::exists(compiled / "sources" / file)) write_file(compiled / "sources" / file, read_file(sources / file));
@@ -102,8 +102,8 @@ judge::RunSettings Workshop::settings(const Version& version) const {
   settings.implementations = search_path(folders_, step_, version.code, earlier_);
   settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
-  settings.max_time_outs = 0;  // a case counts as proof against a mistake only where it was asked
-  settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is the project's own code
+  settings.max_time_outs = 0;                                   // run every case, even after time-outs
+  settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is trusted code
   return settings;
 }
 

@@ -1,6 +1,5 @@
-// Versions of a step's code that an author needs beside each other: the solution, the skeleton cut from it, every known
-// mistake and every variant. Each has its files in a folder of its own below BUILD/audit; their libraries are kept
-// there by what they are compiled from.
+// Versions of a step's code for author commands: the solution, its skeleton, every known mistake and every variant.
+// Each has its own folder below BUILD/audit; libraries are cached there by the hash of their sources.
 #pragma once
 
 #include <filesystem>
@@ -22,7 +21,7 @@ struct Version {
   std::string name;  ///< "mistake-rv-for-nh"
   grade::Code code;
   bool built = false;
-  std::string log;  ///< of the compiler, or why there is nothing to compile
+  std::string log;  ///< the compiler's output, or why there is nothing to compile
 };
 
 class Workshop {
@@ -30,16 +29,16 @@ class Workshop {
   Workshop(const ProjectFolders& folders, const CourseStep& step);
 
   Version solution() const;
-  /// Cut afresh from the solution: what lies in steps/ may be somebody's work.
+  /// Generated from the solution, since steps/ may have edited files.
   Version skeleton() const;
-  /// The solution with a patch. A patch that does not apply gives a version that is not built, and says why.
+  /// The solution with a patch. If the patch does not apply, the version is not built and its log says why.
   Version patched(const std::string& name, const std::filesystem::path& patch) const;
 
   /// The solution with other texts in the place of these files, by their names.
   Version changed(const std::string& name, const std::map<std::string, std::string>& files) const;
 
-  /// How a version's program is run: one worker, so that several versions can run side by side; earlier steps are the
-  /// solution's.
+  /// Settings to run a version's program: one worker, so that several versions can run in parallel; earlier steps are
+  /// the solution's.
   judge::RunSettings settings(const Version& version) const;
   /// The same, with other code behind earlier steps: a version of each, by the step's name.
   judge::RunSettings settings(const Version& version, const std::map<std::string, Version>& earlier) const;
@@ -50,7 +49,7 @@ class Workshop {
   const CourseStep& step() const { return step_; }
 
  private:
-  /// The version `name`, of the files that `make` writes into the folder that it is given.
+  /// Builds the version `name` from the files that `write` creates in the folder passed to it.
   Version make(const std::string& name, const std::function<void(const std::filesystem::path&)>& write) const;
 
   ProjectFolders folders_;
@@ -60,11 +59,11 @@ class Workshop {
   std::filesystem::path root_;
 };
 
-/// Calls task(0) ... task(count - 1) on `threads` threads, each number once. The first exception is thrown again when
-/// all have ended.
+/// Calls task(0) ... task(count - 1) on `threads` threads, each number once. Rethrows the first exception when all have
+/// ended.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& task);
 
-/// As many threads as the machine has cores, at least one.
+/// The number of CPU cores, at least 1.
 int worker_threads();
 
 }  // namespace atelier

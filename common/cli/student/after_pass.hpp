@@ -1,4 +1,4 @@
-// What to do once a step has passed.
+// What to do after a step has passed.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace atelier {
 
-/// A few lines for a step that has just passed in full: where the handout says more, how to see the solution beside
-/// one's own (where solutions/ is there), and which step is next. Empty for a step that is not there or has not passed.
+/// A few lines for a step that has just passed in full: further reading in the handout, how to compare with the
+/// solution (if solutions/ exists), and the next step. Empty for a step that does not exist or has not passed.
 std::string after_pass(const ProjectFolders& folders, const std::vector<Standing>& standings, const std::string& step);
 
 }  // namespace atelier

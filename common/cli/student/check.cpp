@@ -1,7 +1,7 @@
-// ./atelier check: a student's own files of one step, from the last edit to a verdict.
+// ./atelier check: builds and judges a student's files of one step.
 //
-// Somebody waits for this at every save, so the order is: build and read references at the same time, draw, judge,
-// print the verdict, and only then whatever is slow (the environment, the pictures of the report).
+// For a fast verdict the order is: build and read references in parallel, draw, judge, print the verdict, and only then
+// the slow parts (the environment, the report's pictures).
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -32,17 +32,17 @@ void print_verdict(const judge::StepResult& result, const CheckOptions& options,
   std::fflush(stdout);
 }
 
-/// Said where a picture may have failed for the driver's sake: the stored references were drawn by llvmpipe.
+/// A note if a picture may have failed because of the driver: the stored references were drawn by llvmpipe.
 std::string on_another_driver(const judge::SubmissionResult& result, bool live) {
   const auto driver = result.environment.find("driver");
   if (live || driver == result.environment.end() || driver->second.find("llvmpipe") != std::string::npos) return {};
   return fmt::format(
-      "Your driver ({}) is not the one that drew the references: where only edges differ, --references live compares "
-      "with what the solution draws on yours.\n",
+      "Your driver ({}) is not the one that drew the references: if only edges differ, use --references live to "
+      "compare with the solution's pictures on yours.\n",
       driver->second);
 }
 
-/// What to do now: after a pass, or where somebody is stuck.
+/// What to do next: after a pass, or to get a hint.
 std::string what_next(const OwnCheck& check, bool passed) {
   if (!passed) return fmt::format("Stuck? ./atelier hint {}\n", check.step().number());
   const ProgressRecord record = read_progress(check.folders().progress());
@@ -68,7 +68,7 @@ int run_check(const CheckOptions& options) {
   result.submission = "yours";
   result.steps.push_back(check.judge([&] { return stop.requested(); }));
   grade::sum_up(result);
-  // Recorded first of all, for whoever listens may hang up; what cannot be written must not cost the verdict either.
+  // Record first, since the output pipe may close; a failure to record must not prevent the verdict.
   std::exception_ptr not_recorded;
   try {
     check.record(result.steps.front());

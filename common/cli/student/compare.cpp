@@ -1,4 +1,4 @@
-// ./atelier compare: a student's functions and the solution's, one under the other, once they have passed.
+// ./atelier compare: prints a student's functions and the solution's, after they have passed.
 #include <fmt/format.h>
 
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// By function: whether the last full check passed every case that names it.
+/// For each function: whether the last full check passed every case that names it.
 std::map<std::string, bool> functions_of(const judge::CaseFile& cases, const StepProgress& progress) {
   std::map<std::string, bool> functions;
   for (const judge::JudgedCase& c : cases.cases)
@@ -40,14 +40,14 @@ void print_one(const std::string& whose, const fs::path& file, const std::option
     fmt::print("--- {}: {} has no such function\n\n", whose, file.string());
 }
 
-/// A function may stand in a C++ file and in a shader.
+/// A function may be in a C++ file and in a shader.
 void print_both(const ProjectFolders& folders, const CourseStep& step, const std::string& function) {
   for (const std::string& file : step.files) {
     const fs::path mine = fs::path("steps") / step.name / file, theirs = fs::path("solutions") / step.name / file;
     const std::string marked = read_file(folders.root / theirs);
     auto solution = find_function(finished_text(marked, theirs.string()), function);
     if (!solution) continue;
-    solution->line = find_function(marked, function).value_or(*solution).line;  // the marks count there
+    solution->line = find_function(marked, function).value_or(*solution).line;  // line numbers include the marks
     print_one("yours", mine,
               find_function(fs::exists(folders.own() / mine) ? read_file(folders.own() / mine) : "", function));
     print_one("solution", theirs, solution);
@@ -82,8 +82,8 @@ int run_compare(const CompareOptions& options) {
   }
   if (shown > 0) return exit_ok;
   fmt::print(
-      "{} has not passed every case yet, as of your last check. Hints: ./atelier hint {}. (--spoil shows the "
-      "solution all the same.)\n",
+      "{} has not passed every case yet, as of your last check. Hints: ./atelier hint {}. (--spoil shows the solution "
+      "anyway.)\n",
       options.function.empty() ? step.name : options.function, step.number());
   return exit_failed;
 }

@@ -1,4 +1,4 @@
-// The contract of a function that a student writes: where it is, and its text.
+// Finds the contract of a function that a student writes.
 #pragma once
 
 #include <filesystem>
@@ -10,13 +10,13 @@
 namespace atelier {
 
 struct Contract {
-  std::filesystem::path file;  ///< relative to the folder of the own work: "steps/02-blinn-phong/blinn_phong.hpp"
-  int line = 1;                ///< of the function's head
-  std::string text;            ///< the comment above it, and the head
+  std::filesystem::path file;  ///< relative to the student's folder: "steps/02-blinn-phong/blinn_phong.hpp"
+  int line = 1;                ///< of the function's declaration
+  std::string text;            ///< the comment above it, and the declaration
 };
 
-/// A C++ function's contract is in the step's header, a GLSL function's above it in the student's file, or, where the
-/// student has taken the comment away, in the file as it was handed out. Nothing where none of them has one.
+/// A C++ function's contract is in the step's header, a GLSL function's above it in the student's file, or, if the
+/// student has removed the comment, in the original file. None if no file has one.
 std::optional<Contract> contract_of(const ProjectFolders& folders, const CourseStep& step, const std::string& function);
 
 }  // namespace atelier

@@ -1,6 +1,6 @@
-// ./atelier doctor: what is there, what lacks, and the command that mends it.
+// ./atelier doctor: what is installed, what is missing, and the command that fixes it.
 //
-// The launcher looks at what can be seen without a build (common/cli/student/doctor.sh), and hands its findings over.
+// The launcher checks what needs no build (common/cli/student/doctor.sh), and passes on its findings.
 #include "cli/student/doctor.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +23,7 @@ std::string variable(const char* name) {
 
 Finding try_watching(const std::filesystem::path& folder) {
   try {
-    return watching_finding(tells_of_writes(folder));
+    return watching_finding(reports_writes(folder));
   } catch (const Error& error) {
     return {Finding::State::lack, "folder", error.what(), fmt::format("sudo chown -R \"$USER\" '{}'", folder.string())};
   }

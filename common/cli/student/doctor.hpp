@@ -1,7 +1,6 @@
-// What ./atelier doctor says: facts about a machine, turned into findings that name what lacks and what mends it.
+// Findings of ./atelier doctor: facts about a machine, what is missing, and how to fix it.
 //
-// Finding out is done elsewhere (doctor_trials.hpp); nothing here asks the machine, so that every sentence can be
-// tested on machines that are not at hand.
+// doctor_trials.hpp examines the machine; nothing here does, so every message can be tested on any machine.
 #pragma once
 
 #include <optional>
@@ -15,33 +14,33 @@ namespace atelier {
 
 struct Finding {
   enum class State {
-    good,  ///< there, and as it should be
+    good,  ///< found, and in order
     note,  ///< worth knowing; check and grade work without it
-    lack,  ///< needed, and not there
+    lack,  ///< needed but missing
   } state = State::good;
   std::string subject;  ///< one word: "compiler"
   std::string words;    ///< what was found
-  std::string mend;     ///< the command that mends it; empty: none is known, or none is needed
+  std::string fix;      ///< the command that fixes it; empty: none is known or needed
 };
 
-/// A line each: `good`, `note` or `lack`, the subject, the words and the mending command, with tabs between. This is
-/// how the launcher hands over what it found before anything was built. Throws Error with the line that is none.
+/// One line per finding: `good`, `note` or `lack`, the subject, the words and the fixing command, separated by tabs.
+/// The launcher passes its findings in this format. Throws Error with a line that is invalid.
 std::vector<Finding> parse_findings(const std::string& text);
 
-/// 0 where nothing that is needed lacks, otherwise 1 (base/error.hpp).
+/// 0 if nothing needed is missing, otherwise 1 (base/error.hpp).
 int status_of(const std::vector<Finding>& findings);
 
-/// One finding a line behind ✓, · or ✗, its mending command below it, and a last line that sums up.
+/// One line per finding, after ✓, · or ✗, its fixing command below it, and a summary at the end.
 std::string to_text(const std::vector<Finding>& findings);
 /// {"ok": true, "findings": [{"state": "good", "subject": "compiler", "words": "...", "mend": ""}]}
 std::string to_json(const std::vector<Finding>& findings);
 
-/// What came of making a context in a program of its own, since a broken driver may crash or hang.
+/// The result of creating a context in a child process, since a broken driver may crash or hang.
 struct ContextTrial {
-  std::string version, renderer;  ///< OpenGL's own words; empty where there is no context
-  std::string kind;               ///< "osmesa", "egl" or "window": what the default turned out to be
-  std::optional<float> scale;     ///< of a window: pixels of its screen for a unit of design; 2 on a fine screen
-  std::string failure;            ///< why there is none; empty: there is one
+  std::string version, renderer;  ///< OpenGL's strings; empty without a context
+  std::string kind;               ///< "osmesa", "egl" or "window": the kind that the default selects
+  std::optional<float> scale;     ///< content scale of a window; 2 on a high-DPI screen
+  std::string failure;            ///< why it failed; empty: it works
   bool works() const { return failure.empty(); }
 };
 
@@ -51,36 +50,35 @@ ContextTrial read_trial(const Finished& finished);
 
 struct ContextTrials {
   ContextTrial osmesa, egl, window;
-  ContextTrial headless;  ///< what the judge takes where it is not told
+  ContextTrial headless;  ///< the judge's default
 };
 
-/// The three kinds, what the judge draws with, and the window's scale. Only that the judge has nothing to draw with is
-/// a lack: one kind is enough. `install` is the system's command for installing packages, without their names; empty:
-/// unknown.
+/// The three kinds, the one that the judge uses, and the window's scale. Only a judge without any context is a lack:
+/// one kind is enough. `install` is the system's command for installing packages, without their names; empty: unknown.
 std::vector<Finding> context_findings(const ContextTrials& trials, const std::string& install);
 
-/// `x11` and `wayland`: the variables DISPLAY and WAYLAND_DISPLAY, empty where they are not set.
+/// `x11` and `wayland`: the variables DISPLAY and WAYLAND_DISPLAY, empty if not set.
 Finding display_finding(const std::string& x11, const std::string& wayland);
 
-/// Whether the system has told of a file that was written in the project's folder.
-Finding watching_finding(bool told);
+/// `reported`: whether the system reported a file that was written in the project's folder.
+Finding watching_finding(bool reported);
 
 struct SandboxTrial {
-  bool installed = false;  ///< bubblewrap is there
+  bool installed = false;  ///< bubblewrap is installed
   bool works = false;      ///< and has started a program in namespaces of its own
-  bool as_root = false;    ///< which root may always do, so that nothing is known about other users
-  std::string words;       ///< what it said where it has not
+  bool as_root = false;    ///< root may always do this, so nothing is known about other users
+  std::string words;       ///< its message if it failed
   std::string setting;  ///< the kernel's setting that forbids it, as sysctl sets it: "user.max_user_namespaces=10000"
 };
 Finding sandbox_finding(const SandboxTrial& trial, const std::string& install);
 
 struct StepTrial {
   std::string name;
-  bool built = false;   ///< its program is there
-  std::string failure;  ///< why it does not start; empty: it does
+  bool built = false;   ///< its program exists
+  std::string failure;  ///< why it does not start; empty: it starts
 };
-/// A line for all that can be checked here, and one for each step whose program is missing or does not start. `build`
-/// is the build folder.
+/// One line for all steps that can be checked, and one for each step whose program is missing or does not start.
+/// `build` is the build folder.
 std::vector<Finding> step_findings(const std::vector<StepTrial>& trials, const ContextTrials& contexts,
                                    const std::string& build);
 

@@ -1,9 +1,9 @@
-# shellcheck shell=bash disable=SC2154 # what is not assigned here, the launcher has assigned
+# shellcheck shell=bash disable=SC2154 # the launcher assigns these variables
 # ./atelier doctor, the part that needs no build. The launcher sources it.
 #
-# It installs nothing, builds nothing and writes nothing. What it finds is a line each: good, note or lack, a subject,
-# words, and the command that mends it, with tabs between. Where the program behind ./atelier is built, that gets these
-# lines, adds what only a program can find out (OpenGL, display, sandbox, steps) and prints the whole.
+# It installs, builds and writes nothing. Each finding is a line: good, note or lack, a subject, words, and the command
+# that fixes it, separated by tabs. If the program behind ./atelier is built, it gets these lines, adds what only a
+# program can check (OpenGL, display, sandbox, steps) and prints everything.
 
 found=''
 finding() { # STATE SUBJECT WORDS [COMMAND]
@@ -14,12 +14,12 @@ doctor_help() {
   cat <<'TEXT'
 ./atelier doctor [--json]
 
-What this machine has, what it lacks, and the command that mends each lack. Installs nothing and builds nothing. Before
-the first build it tells of compiler, tools and packages; after it also of OpenGL, display, sandbox and steps.
+What this machine has, what is missing, and the command that fixes it. Installs nothing and builds nothing. Before the
+first build it checks compiler, tools and packages; after it also OpenGL, display, sandbox and steps.
 
   ✓ there    · worth knowing    ✗ needed and missing
 
-Exit status: 0 all that is needed is there, 1 something that is needed is missing, 2 bad arguments.
+Exit status: 0 everything needed is installed, 1 something needed is missing, 2 bad arguments.
 TEXT
 }
 
@@ -36,18 +36,18 @@ has_package() {
   esac
 }
 
-# Puts those of the packages that are not there into `missing`.
+# Stores the packages that are not installed in `missing`.
 look_for() {
   local package
   missing=()
   for package in "$@"; do has_package "$package" || missing+=("$package"); done
 }
 
-# apt has read its lists, and can say what it offers.
+# apt has package lists.
 apt_has_lists() { compgen -G '/var/lib/apt/lists/*Packages*' >/dev/null; }
 
-# The command that installs packages by this system's own means; nothing where those are not known.
-mend_with() {
+# The system's command to install packages; empty if unknown.
+install_command() {
   local update=''
   if [[ -z $install ]]; then return; fi
   if [[ $here == debian ]] && ! apt_has_lists; then update="${install_as}apt-get update && "; fi
@@ -61,7 +61,7 @@ look_at_system() {
   local kernel
   kernel=$(uname -srm)
   [[ $kernel == *[Mm]icrosoft* ]] && kernel+=' (WSL)'
-  finding good system "${PRETTY_NAME:-unknown}, $kernel; docs/platforms.md says what was tried where"
+  finding good system "${PRETTY_NAME:-unknown}, $kernel; docs/platforms.md lists the tested systems"
 }
 
 look_at_compiler() {
@@ -73,11 +73,11 @@ look_at_compiler() {
     fi
   done
   if [[ -z $compiler ]]; then
-    finding lack compiler 'neither c++, g++ nor clang++ is found' "$(mend_with "${needed[0]:-}")"
+    finding lack compiler 'neither c++, g++ nor clang++ is found' "$(install_command "${needed[0]:-}")"
     return
   fi
   if ! echo '#include <concepts>' | "$compiler" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null; then
-    finding lack compiler "$compiler does not compile C++20: GCC 12 or newer does" "$(mend_with "${needed[0]:-}")"
+    finding lack compiler "$compiler does not compile C++20: GCC 12 or newer does" "$(install_command "${needed[0]:-}")"
     return
   fi
   version=$("$compiler" --version | head -n 1)
@@ -88,7 +88,7 @@ look_at_compiler() {
 look_at_tool() {
   local name=$1 least=$2 package=$3 version
   if ! command -v "$name" >/dev/null; then
-    finding lack "$name" 'not found' "$(mend_with "$package")"
+    finding lack "$name" 'not found' "$(install_command "$package")"
     return
   fi
   version=$("$name" --version 2>/dev/null | head -n 1)
@@ -108,7 +108,7 @@ look_at_packages() {
   fi
   look_for "${needed[@]}"
   if ((${#missing[@]})); then
-    finding lack packages "missing: ${missing[*]}" "$(mend_with "${missing[@]}")"
+    finding lack packages "missing: ${missing[*]}" "$(install_command "${missing[@]}")"
   else
     finding good packages 'all that are needed are installed'
   fi
@@ -129,7 +129,7 @@ note_missing() {
     fi
   done
   if ((${#install_these[@]})); then
-    finding note packages "$words: ${install_these[*]}" "$(mend_with "${install_these[@]}")"
+    finding note packages "$words: ${install_these[*]}" "$(install_command "${install_these[@]}")"
   fi
   if ((${#nowhere[@]})); then finding note packages "useful, but this system has none: ${nowhere[*]}"; fi
 }
@@ -166,7 +166,7 @@ print_found() {
   while IFS=$'\t' read -r state subject words mend; do
     case $state in good) state='✓' ;; note) state='·' ;; lack) state='✗' ;; esac
     printf '%s %-10s %s\n' "$state" "$subject" "$words"
-    if [[ -n $mend ]]; then printf '%13smend it: %s\n' '' "$mend"; fi
+    if [[ -n $mend ]]; then printf '%13sfix: %s\n' '' "$mend"; fi
   done <<<"${found%$'\n'}"
   printf '\nSomething that is needed is missing: see the lines with ✗.\n'
 }

@@ -35,13 +35,13 @@ Finding parse_finding(const std::string& line) {
       std::find_if(std::begin(states), std::end(states), [&](const auto& s) { return s.word == parts[0]; });
   if (state == std::end(states) || count < 3)
     throw Error(
-        fmt::format("'{}' is no finding: it takes good, note or lack, a subject, words and a command, with tabs "
+        fmt::format("'{}' is not a finding: it takes good, note or lack, a subject, words and a command, with tabs "
                     "between",
                     printable(line)));
   return {state->state, parts[1], parts[2], parts[3]};
 }
 
-/// Mesa's software driver for EGL, by the names of the system whose command `install` is.
+/// The packages of Mesa's software driver for EGL, for the system with the command `install`.
 std::string mesa_packages(const std::string& install) {
   if (install.find("dnf") != std::string::npos) return "mesa-libEGL mesa-dri-drivers";
   if (install.find("pacman") != std::string::npos) return "mesa";
@@ -62,13 +62,12 @@ Finding judge_finding(const ContextTrial& headless, const std::string& install) 
     return {State::lack, "judge", "nothing can be drawn: of osmesa, egl and window none gives OpenGL 3.3",
             with_packages(install, mesa_packages(install))};
   if (headless.renderer.find("llvmpipe") != std::string::npos)
-    return {State::good, "judge", fmt::format("draws with {} by llvmpipe, as the references were", headless.kind), ""};
-  return {
-      State::note, "judge",
-      fmt::format("draws with {} by {}, but the references were drawn by llvmpipe: edges may be judged otherwise than "
-                  "by the grader, whose verdict counts",
-                  headless.kind, headless.renderer),
-      with_packages(install, mesa_packages(install))};
+    return {State::good, "judge", fmt::format("draws with {} by llvmpipe, like the references", headless.kind), ""};
+  return {State::note, "judge",
+          fmt::format("draws with {} by {}, but the references were drawn by llvmpipe: verdicts on edges may differ "
+                      "from the grader's, which counts",
+                      headless.kind, headless.renderer),
+          with_packages(install, mesa_packages(install))};
 }
 
 }  // namespace
@@ -89,9 +88,9 @@ std::string to_text(const std::vector<Finding>& findings) {
   std::string text;
   for (const Finding& finding : findings) {
     text += fmt::format("{} {:<10} {}\n", name_of(finding.state).mark, finding.subject, finding.words);
-    if (!finding.mend.empty()) text += fmt::format("{:13}mend it: {}\n", "", finding.mend);
+    if (!finding.fix.empty()) text += fmt::format("{:13}fix: {}\n", "", finding.fix);
   }
-  return text + (status_of(findings) == exit_ok ? "\nAll that is needed is here.\n"
+  return text + (status_of(findings) == exit_ok ? "\nEverything needed is installed.\n"
                                                 : "\nSomething that is needed is missing: see the lines with ✗.\n");
 }
 
@@ -101,11 +100,11 @@ std::string to_json(const std::vector<Finding>& findings) {
     list.push_back({{"state", name_of(finding.state).word},
                     {"subject", finding.subject},
                     {"words", finding.words},
-                    {"mend", finding.mend}});
+                    {"mend", finding.fix}});
   return nlohmann::ordered_json{{"ok", status_of(findings) == exit_ok}, {"findings", list}}.dump(2) + "\n";
 }
 
-// A driver may print whatever it likes around our lines, so each begins with a word of its own.
+// A driver may print other lines around ours, so each of ours begins with a fixed word.
 std::string trial_text(const ContextTrial& trial) {
   std::string text =
       fmt::format("trial version {}\ntrial renderer {}\ntrial kind {}\n", trial.version, trial.renderer, trial.kind);
@@ -136,7 +135,7 @@ ContextTrial read_trial(const Finished& finished) {
   else if (finished.exit_status != exit_ok)
     trial.failure = error.empty() ? fmt::format("the trial ended with status {}", finished.exit_status) : error;
   else if (trial.version.empty())
-    trial.failure = "the trial said nothing";
+    trial.failure = "the trial printed nothing";
   return trial;
 }
 
@@ -144,8 +143,7 @@ std::vector<Finding> context_findings(const ContextTrials& trials, const std::st
   std::vector<Finding> findings = {kind_finding("osmesa", trials.osmesa), kind_finding("egl", trials.egl),
                                    kind_finding("window", trials.window), judge_finding(trials.headless, install)};
   if (trials.window.scale)
-    findings.push_back({State::good, "scale",
-                        fmt::format("{} (pixels of the screen for a unit of design)", *trials.window.scale), ""});
+    findings.push_back({State::good, "scale", fmt::format("{} (content scale)", *trials.window.scale), ""});
   return findings;
 }
 
@@ -159,11 +157,10 @@ Finding display_finding(const std::string& x11, const std::string& wayland) {
   return {State::good, "display", join(servers), ""};
 }
 
-Finding watching_finding(bool told) {
-  if (told) return {State::good, "watching", "the system tells at once of a file that is saved in steps/", ""};
+Finding watching_finding(bool reported) {
+  if (reported) return {State::good, "watching", "the system reports files that are saved in steps/ at once", ""};
   return {State::note, "watching",
-          "the system does not tell of a file that is saved in steps/: what follows files falls back to looking every "
-          "200 ms",
+          "the system does not report files that are saved in steps/: watch and the window check them every 200 ms",
           ""};
 }
 

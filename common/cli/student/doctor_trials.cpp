@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::chrono::seconds trial_limit{5};  ///< a context takes 0.02 s, a step's list 0.05 s
 
-/// The last line of what a program said, for a sentence.
+/// The last line of a program's output.
 std::string last_line(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return printable(text.substr(text.rfind('\n') + 1));
@@ -32,7 +32,8 @@ std::string in_words(const Finished& finished) {
   return last.empty() ? fmt::format("it ended with status {}", finished.exit_status) : last;
 }
 
-/// Kernel settings that forbid namespaces to users: the file, the value that forbids, and what sysctl is told instead.
+/// Kernel settings that forbid user namespaces: the file, the forbidding value, and the sysctl argument that allows
+/// them.
 struct Forbidding {
   const char *file, *value, *instead;
 };
@@ -76,13 +77,13 @@ ContextTrials try_contexts(const ProjectFolders& folders) {
   return trials;
 }
 
-bool tells_of_writes(const fs::path& folder) {
+bool reports_writes(const fs::path& folder) {
   const fs::path file = folder / fmt::format(".atelier-doctor-{}", ::getpid());
   const FileWatch watch({file});
-  write_file(file, std::string_view("atelier doctor looks whether the system tells of this file\n"));
+  write_file(file, std::string_view("atelier doctor tests whether the system reports this file\n"));
   std::error_code ignored;
   fs::remove(file, ignored);
-  pollfd event{watch.descriptor(), POLLIN, 0};  // poll passes over -1
+  pollfd event{watch.descriptor(), POLLIN, 0};  // poll ignores -1
   return ::poll(&event, 1, 1000) == 1;
 }
 
@@ -96,7 +97,7 @@ SandboxTrial try_sandbox() {
     trial.works = finished.ok();
     if (!trial.works) trial.words = in_words(finished), trial.setting = setting_in_the_way();
   } catch (const Error&) {
-    // Not there: that is what the trial says already.
+    // Not installed: `trial` already says so.
   }
   return trial;
 }

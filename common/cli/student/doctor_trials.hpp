@@ -1,4 +1,4 @@
-// How ./atelier doctor finds out: each trial asks the machine, is bounded in time, and leaves nothing behind.
+// The trials of ./atelier doctor: each examines the machine, has a time limit, and leaves nothing behind.
 #pragma once
 
 #include <filesystem>
@@ -10,21 +10,21 @@
 
 namespace atelier {
 
-/// Makes a context here and now: "osmesa", "egl", "window", or "headless" for what the judge takes where it is not
-/// told. Throws Error where there is none. It is called in a program of its own.
+/// Creates a context in this process: "osmesa", "egl", "window", or "headless" for the judge's default. Throws Error if
+/// that fails. Called in a child process.
 ContextTrial try_context_here(const std::string& kind);
 
-/// Makes each context in a child of this program, which has five seconds. The judge's own is made in the environment
+/// Creates each context in a child process, with a limit of five seconds. The judge's one is created in the environment
 /// that the judge gives to step programs.
 ContextTrials try_contexts(const ProjectFolders& folders);
 
-/// Whether the system tells within a second of a file that is written in `folder`, as inotify does on local disks and
-/// does not on some network and shared folders. Throws Error where no file can be written there.
-bool tells_of_writes(const std::filesystem::path& folder);
+/// Whether the system reports within a second a file that is written in `folder`. inotify does on local disks, but not
+/// on some network and shared folders. Throws Error if no file can be written there.
+bool reports_writes(const std::filesystem::path& folder);
 
 SandboxTrial try_sandbox();
 
-/// Has each step's program print its list.
+/// Runs each step's program with --list.
 std::vector<StepTrial> try_steps(const ProjectFolders& folders, const std::vector<CourseStep>& course);
 
 }  // namespace atelier

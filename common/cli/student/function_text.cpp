@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t nowhere = std::string_view::npos;
 
-/// The text with its comments blank, and with `strings` its strings and characters, too. Lines and places stay.
+/// The text with its comments and, if `strings`, its string and character literals replaced by spaces. Positions do not
+/// change.
 std::string blanked(std::string_view text, bool strings) {
   std::string code(text);
   const auto blank = [&](std::size_t begin, std::size_t end) {
@@ -44,7 +45,7 @@ bool in_identifier(char c) {
   return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The place behind the bracket that closes the one at `open`.
+/// The position after the bracket that closes the one at `open`.
 std::size_t behind_bracket(std::string_view code, std::size_t open, char opens, char closes) {
   int depth = 0;
   for (std::size_t i = open; i < code.size(); ++i) {
@@ -58,14 +59,15 @@ std::size_t skip_space(std::string_view code, std::size_t at) {
   return std::min(code.find_first_not_of(" \t\r\n", at), code.size());
 }
 
-/// The place behind the parameters of a function whose name stands at `at`; nowhere where none follow.
+/// The position after the parameters of a function whose name is at `at`; npos if none follow.
 std::size_t end_of_head(std::string_view code, std::size_t at, std::size_t name_length) {
   const std::size_t parameters = skip_space(code, at + name_length);
   if (parameters >= code.size() || code[parameters] != '(') return nowhere;
   return behind_bracket(code, parameters, '(', ')');
 }
 
-/// The place behind the body of a definition whose name stands at `at`; nowhere where it is none (a call, say).
+/// The position after the body of a definition whose name is at `at`; npos if it is not a definition (a call, for
+/// example).
 std::size_t end_of_definition(std::string_view code, std::size_t at, std::size_t name_length) {
   const std::size_t behind = end_of_head(code, at, name_length);
   if (behind == nowhere) return nowhere;
@@ -78,7 +80,7 @@ std::size_t begin_of_line(std::string_view text, std::size_t at) {
   return before == nowhere ? 0 : before + 1;
 }
 
-/// Where the comment lines directly above the line that begins at `line` begin; `line` itself where there are none.
+/// The beginning of the comment lines directly above the line that begins at `line`; `line` itself if there are none.
 std::size_t begin_of_comment(std::string_view text, std::size_t line) {
   while (line > 0) {
     const std::size_t above = begin_of_line(text, line - 1);
@@ -93,7 +95,7 @@ int line_number(std::string_view text, std::size_t at) {
   return int(std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')) + 1;
 }
 
-/// The places at which `name` stands as a whole word of the code.
+/// The positions at which `name` is a whole word of the code.
 std::vector<std::size_t> places_of(std::string_view code, std::string_view name) {
   std::vector<std::size_t> places;
   for (std::size_t at = code.find(name); at != nowhere; at = code.find(name, at + 1))

@@ -1,4 +1,4 @@
-// Finds a function in a student's file, C++ or GLSL, without compiling it.
+// Finds a function in a C++ or GLSL file without compiling it.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,15 @@ struct FunctionText {
   std::string text;  ///< whole lines, from its return type to the closing brace
 };
 
-/// The first definition of `name`: NAME(...) {...}, the parameters and the body found by their brackets. Comments,
-/// strings and characters are passed over. Nothing where there is none, or where a bracket is not closed.
+/// The first definition of `name`: NAME(...) {...}, finds the parameters and the body by their brackets. Ignores
+/// comments, strings and characters. None if there is none, or a bracket is not closed.
 std::optional<FunctionText> find_function(std::string_view text, std::string_view name);
 
-/// Whether two texts differ in comments and white space alone.
+/// Whether two texts differ only in comments and white space.
 bool same_code(std::string_view a, std::string_view b);
 
 /// The contract of `name`: the comment lines (//) directly above its first declaration or definition, and its head up
-/// to the ';' or the '{', which is left out. Nothing where there is no such function, or no comment above it.
+/// to the ';' or '{', exclusive. None if there is no such function, or no comment above it.
 std::optional<FunctionText> find_contract(std::string_view text, std::string_view name);
 
 }  // namespace atelier

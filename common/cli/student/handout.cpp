@@ -16,7 +16,7 @@ std::string text_of(const ProjectFolders& folders, const CourseStep& step) {
   return std::filesystem::is_regular_file(path) ? read_file(path, 4 << 20) : std::string();
 }
 
-/// Markdown as plain text in one line, without the marks of emphasis and formulas.
+/// Markdown as plain text in one line, without markup of emphasis and formulas.
 std::string plain(std::string_view markdown) {
   std::string text;
   for (const char c : markdown)

@@ -1,4 +1,4 @@
-// What the commands quote from a step's handout.
+// Quotes from a step's handout.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace atelier {
 
-/// What a student can do after the step, as one line: the paragraph of handouts/NN-name.md that begins with "Afterwards
-/// you can", without its emphasis. The step's title where there is no such paragraph.
+/// The step's goal in one line: the paragraph of handouts/NN-name.md that begins with "Afterwards you can", without
+/// markup. The step's title if there is no such paragraph.
 std::string goal_of(const ProjectFolders& folders, const CourseStep& step);
 
-/// "handouts/NN-name.md"; empty where there is none.
+/// "handouts/NN-name.md"; empty if there is none.
 std::string handout_of(const ProjectFolders& folders, const CourseStep& step);
 
-/// "handouts/NN-name.md, \"Further reading\"" where it has that section; empty where not.
+/// "handouts/NN-name.md, \"Further reading\"" if it has that section, otherwise empty.
 std::string further_reading_of(const ProjectFolders& folders, const CourseStep& step);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// ./atelier hint: the next of a case's three hints.
+// ./atelier hint: shows the next of a case's three hints.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -45,7 +45,7 @@ const JudgedCase& case_named(const CaseFile& cases, const std::string& name) {
     if (c.ask.name == name) return c;
     names.push_back(c.ask.name);
   }
-  throw Error(fmt::format("{}: case '{}': there is none{}", cases.step, name, suggestion(name, names)));
+  throw Error(fmt::format("{}: there is no case '{}'{}", cases.step, name, suggestion(name, names)));
 }
 
 const JudgedCase& case_to_help_with(const CaseFile& cases, const std::string& name, const ProgressRecord& record) {
@@ -55,7 +55,7 @@ const JudgedCase& case_to_help_with(const CaseFile& cases, const std::string& na
   throw Error(fmt::format("{}: the last check passed every case; name the one that you want a hint for", cases.step));
 }
 
-/// Whether the function is proven by itself: there are cases about nothing else, and all have passed.
+/// Whether the function is known to be right: there are cases that name only it, and all have passed.
 bool is_proven(const CaseFile& cases, const std::string& function, const ProgressRecord& record) {
   bool any = false;
   for (const JudgedCase& c : cases.cases) {

@@ -10,14 +10,14 @@
 namespace atelier {
 namespace {
 
-termios usual, bare;                // how the terminal was, and how it is while we listen
-bool ours = false;                  // whether it is as `bare` says
-volatile sig_atomic_t leaving = 0;  // the signal that has asked us to end
+termios usual, bare;                // the terminal's settings before and while we read keys
+bool ours = false;                  // whether `bare` is active
+volatile sig_atomic_t leaving = 0;  // the signal that requested termination
 constexpr int ending_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 // In these handlers: only calls that POSIX calls async-signal-safe; tcsetattr is among them.
 
-/// In the background the terminal is not ours to change: asking would stop us.
+/// A background process must not change the terminal: it would be stopped.
 bool in_foreground() {
   return ::tcgetpgrp(STDIN_FILENO) == ::getpgrp();
 }
@@ -26,7 +26,7 @@ void give_back() {
   if (ours && in_foreground()) ::tcsetattr(STDIN_FILENO, TCSADRAIN, &usual);
 }
 
-/// Ends or stops the program as if nobody had listened to the signal.
+/// Performs the signal's default action: ends or stops the program.
 void leave_at_once(int number) {
   const int error = errno;
   give_back();
@@ -38,12 +38,12 @@ void leave_at_once(int number) {
   sigemptyset(&just_this);
   sigaddset(&just_this, number);
   ::raise(number);
-  ::sigprocmask(SIG_UNBLOCK, &just_this, nullptr);  // here the program ends, or stops and later goes on
+  ::sigprocmask(SIG_UNBLOCK, &just_this, nullptr);  // here the program ends, or stops and continues later
   ::sigaction(number, &mine, nullptr);
   errno = error;
 }
 
-/// The first time only taken down, so that whoever listens can end its programs and take its files away.
+/// The first signal is only stored, so that the program can clean up.
 void leave(int number) {
   if (leaving != 0) leave_at_once(number);
   leaving = number;
@@ -65,7 +65,7 @@ void on_signal(int number, void (*handler)(int)) {
 }  // namespace
 
 Keyboard::Keyboard() {
-  if (::tcgetattr(STDIN_FILENO, &usual) != 0) return;  // no terminal
+  if (::tcgetattr(STDIN_FILENO, &usual) != 0) return;  // not a terminal
   bare = usual;
   bare.c_lflag &= ~tcflag_t(ICANON | ECHO);
   bare.c_cc[VMIN] = 0, bare.c_cc[VTIME] = 0;
@@ -83,7 +83,7 @@ Keyboard::~Keyboard() {
   for (const int number : ending_signals) on_signal(number, SIG_DFL);
   on_signal(SIGTSTP, SIG_DFL);
   on_signal(SIGCONT, SIG_DFL);
-  if (leaving != 0) ::raise(leaving);  // whoever waits for us is to know what ended us
+  if (leaving != 0) ::raise(leaving);  // so that the parent process sees the signal
 }
 
 bool Keyboard::closed() const {

@@ -1,14 +1,13 @@
-// Keys as they are pressed: without Enter, and without their letters on the screen.
+// Reads single keys: without Enter and without echo.
 #pragma once
 
 #include <optional>
 
 namespace atelier {
 
-/// Takes over the terminal on standard input, and gives it back at the end of its scope and while the program is
-/// stopped. A signal that asks the program to end (Ctrl-C) makes it `closed`, and ends the program at the end of its
-/// scope; a second one does so at once. There is one at a time. Where standard input is no terminal, bytes are taken as
-/// they come.
+/// Changes the settings of the terminal on standard input; restores them at the end of its scope and while the program
+/// is stopped. A terminating signal (Ctrl-C) makes it `closed`, and ends the program at the end of its scope; a second
+/// one ends it at once. Only one may exist. If standard input is not a terminal, it reads bytes.
 class Keyboard {
  public:
   Keyboard();
@@ -17,9 +16,9 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   int descriptor() const { return 0; }
-  /// The next key, if one has been pressed. Never waits.
+  /// The next key, if one was pressed. Does not wait.
   std::optional<char> take();
-  /// No key will ever come: the terminal was closed, the file has been read to its end, or we are asked to leave.
+  /// No more keys will come: end of file, the terminal was closed, or a signal requested termination.
   bool closed() const;
 
  private:

@@ -1,4 +1,4 @@
-// ./atelier list: the steps of the course, how far the student is, and what of it is built.
+// ./atelier list: the steps of the course, the student's progress, and what is built.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

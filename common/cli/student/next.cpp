@@ -1,4 +1,4 @@
-// ./atelier next: the first step that has not passed in full, and how to begin it.
+// ./atelier next: the first step that has not passed in full, and how to start it.
 #include <fmt/format.h>
 #include <unistd.h>
 

@@ -19,12 +19,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The files in steps/, or those in a folder of the caller's, whose libraries are kept apart from all others.
+/// The files in steps/, or in a folder given by the caller, with separate libraries.
 grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
   if (options.sources.empty()) return code_of(folders, Owner::mine);
   const fs::path sources = fs::weakly_canonical(options.sources), all = folders.implementations() / "elsewhere";
   const fs::path kept = all / sha256(sources.string()).substr(0, 16);
-  // What nobody has built in for a day is built anew where it is asked for again.
+  // Remove folders that were not used for a day; they are rebuilt when needed.
   std::error_code none;
   for (const auto& other : fs::directory_iterator(all, none))
     if (other.path() != kept && fs::file_time_type::clock::now() - other.last_write_time(none) > std::chrono::hours(24))
@@ -32,7 +32,7 @@ grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& optio
   return {.sources = sources, .libraries = kept};
 }
 
-/// The picture that an editor shows: the first one that fails, or the first one.
+/// The picture for preview.png: the first one that fails, or the first one.
 const judge::Evidence* picture_to_show(const judge::StepResult& result) {
   const judge::Evidence* first = nullptr;
   for (const judge::CaseResult& c : result.cases) {
@@ -56,9 +56,9 @@ OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course
               .reference_cache = folders.reference_cache()},
              options_.cases) {
   if (options_.live && !is_there(folders_, step_.name, Owner::solution))
-    throw Error(fmt::format("--references live: the solution draws them, and {} is not here",
+    throw Error(fmt::format("--references live: the solution draws them, and {} does not exist",
                             (folders_.solutions() / step_.name).string()));
-  read_progress(folders_.progress());  // a broken record is better heard of before the work than after
+  read_progress(folders_.progress());  // report an invalid record before the work
 }
 
 judge::RunSettings OwnCheck::run_settings(Implementations path) const {
@@ -77,11 +77,11 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
   std::future<void> references = std::async(std::launch::async, [&] { judge_.require_references(); });
   const OwnFiles own = prepare_own_files(folders_, course_, step_, own_code(folders_, options_), options_.earlier);
   references.get();
-  if (interrupted && interrupted()) throw judge::Interrupted();  // a compiler that was stopped has no say
+  if (interrupted && interrupted()) throw judge::Interrupted();  // ignore the result of a stopped compiler
 
   judge::RunSettings settings = run_settings(own.path);
   settings.interrupted = interrupted;
-  if (options_.live && !live_drawn_) {  // once: the solution stays as it is
+  if (options_.live && !live_drawn_) {  // once: the solution does not change
     judge_.use_live_references(run_settings(settings.solution.value()));
     live_drawn_ = true;
   }

@@ -19,7 +19,7 @@ OwnFiles prepare_own_files(const ProjectFolders& folders, const std::vector<Cour
     const judge::Built built = judge::build_step(flags, name, before.sources / name, before.libraries);
     if (!built.ok)
       throw Error(fmt::format("your own {} does not build{}:\n{}", name,
-                              is_there(folders, name, Owner::solution) ? " (--earlier solution goes round it)" : "",
+                              is_there(folders, name, Owner::solution) ? " (--earlier solution avoids it)" : "",
                               built.log));
   }
   own.built = judge::build_step(flags, step.name, mine.sources / step.name, mine.libraries);

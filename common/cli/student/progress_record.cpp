@@ -104,7 +104,7 @@ ProgressRecord read_progress(const fs::path& file) {
   try {
     return record_from(text, file.string());
   } catch (const Error& error) {
-    throw Error(fmt::format("{}; mend the file, or move it away: a new one is begun", error.what()));
+    throw Error(fmt::format("{}; fix the file, or move it away to start a new one", error.what()));
   }
 }
 

@@ -15,7 +15,7 @@ bool in_identifier(char c) {
   return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-/// The end of the token at the front of `text`, which is not empty: an identifier, a text in quotes on one line, or one
+/// The end of the first token of `text`, which is not empty: an identifier, a quoted string on one line, or one
 /// character.
 std::size_t end_of_token(std::string_view text) {
   std::size_t end = 1;

@@ -1,10 +1,10 @@
-// Names that a release has changed in what students call or write: steps/renames.txt.
+// Renamed identifiers that students call or write: steps/renames.txt.
 //
 //   # A comment
 //   03-shadow-mapping lit compare_depth
 //
-// A line holds the step whose files are changed, the old token and the new one. A token is an identifier, or a path in
-// quotes as #include has it.
+// A line has the step whose files are changed, the old token and the new one. A token is an identifier, or a quoted
+// path as in #include.
 #pragma once
 
 #include <filesystem>
@@ -19,11 +19,11 @@ struct Rename {
   bool operator==(const Rename&) const = default;
 };
 
-/// The lines of the file; none where there is no such file. Throws Error naming the file and the line that is not made
-/// of three words.
+/// The lines of the file; none if there is no such file. Throws Error naming the file and a line that does not have
+/// three words.
 std::vector<Rename> read_renames(const std::filesystem::path& file);
 
-/// Those of `all` that are not among `done`.
+/// Those of `all` that are not in `done`.
 std::vector<Rename> renames_to_do(const std::vector<Rename>& all, const std::vector<Rename>& done);
 
 /// The text of a file of `step` with its renames applied: whole tokens, each once.

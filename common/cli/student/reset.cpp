@@ -1,4 +1,4 @@
-// ./atelier reset: a student's file back to its skeleton.
+// ./atelier reset: resets a student's file to its skeleton.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -12,11 +12,11 @@
 namespace atelier {
 namespace {
 
-/// Whether the student says yes. Throws Error where nobody can be asked.
+/// Asks the student for confirmation. Throws Error without a terminal.
 bool confirmed(const std::string& file) {
   if (::isatty(STDIN_FILENO) != 1)
     throw Error(fmt::format("reset {}: there is no terminal to ask on; --force resets without asking", file));
-  fmt::print("Reset steps/{} to its skeleton? A copy of yours stays beside it. [y/N] ", file);
+  fmt::print("Reset steps/{} to its skeleton? A copy of yours is kept. [y/N] ", file);
   std::fflush(stdout);
   std::string answer;
   std::getline(std::cin, answer);
@@ -30,7 +30,7 @@ int run_reset(const ResetOptions& options) {
   const StudentFile file = find_student_file(folders, read_course(folders.step_flags()), options.file);
   const std::string name = file.below_steps().string();
   if (is_pristine(folders, file)) {
-    fmt::print("steps/{} is as it was handed out; nothing was changed.\n", name);
+    fmt::print("steps/{} is the untouched skeleton; nothing was changed.\n", name);
     return exit_ok;
   }
   if (!options.force && !confirmed(name)) {

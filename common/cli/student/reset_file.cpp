@@ -26,7 +26,7 @@ std::vector<std::string> files_of(const std::vector<CourseStep>& steps) {
 }
 
 [[noreturn]] void refuse(const std::string& text, const std::vector<CourseStep>& steps) {
-  throw Error(fmt::format("{}: no file that a student writes; there are {}", text, join(files_of(steps))));
+  throw Error(fmt::format("{}: not a student's file; these are {}", text, join(files_of(steps))));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ StudentFile find_student_file(const ProjectFolders& folders, const std::vector<C
   if (owners.size() > 1) {
     std::vector<std::string> names;
     for (const CourseStep& step : owners) names.push_back(step.name + "/" + name);
-    throw Error(fmt::format("{}: say which: {}", text, join(names, " or ")));
+    throw Error(fmt::format("{}: ambiguous; choose {}", text, join(names, " or ")));
   }
   return {owners.front(), name};
 }
@@ -63,8 +63,8 @@ std::string pristine_text(const ProjectFolders& folders, const StudentFile& file
   if (fs::is_regular_file(solution))
     return cut_skeleton(read_file(solution), "solutions/" + file.below_steps().string(), file.step.name);
   throw Error(
-      fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); take the "
-                  "file from the course's archive once more",
+      fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); copy the "
+                  "file from the course's archive again",
                   file.below_steps().string()));
 }
 

@@ -1,4 +1,4 @@
-// A student's file back to the skeleton that it was made from, with a copy of what was there.
+// Resets a student's file to its skeleton, and keeps a copy of the old file.
 #pragma once
 
 #include <filesystem>
@@ -16,25 +16,24 @@ struct StudentFile {
   std::filesystem::path below_steps() const { return std::filesystem::path(step.name) / name; }
 };
 
-/// The file meant by "02/blinn_phong.cpp", "steps/02-blinn-phong/blinn_phong.cpp" (or its absolute path), or
-/// "blinn_phong.cpp" where one step alone has it. Throws Error for none and for several, with those there are.
+/// The file for "02/blinn_phong.cpp", "steps/02-blinn-phong/blinn_phong.cpp" (or its absolute path), or
+/// "blinn_phong.cpp" if only one step has it. Throws Error listing the candidates if none or several match.
 StudentFile find_student_file(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                               const std::string& text);
 
-/// The file as it was handed out: from .given/NN-name/FILE or skeletons/NN-name/FILE where that is there (as in a
-/// release), otherwise cut from solutions/NN-name/FILE. Throws Error where none of the three is there.
+/// The original file: from .given/NN-name/FILE or skeletons/NN-name/FILE if one exists (as in a release), otherwise
+/// generated from solutions/NN-name/FILE. Throws Error if none of the three exists.
 std::string pristine_text(const ProjectFolders& folders, const StudentFile& file);
 
-/// Whether steps/ has just that text. Throws as pristine_text does.
+/// Whether the file in steps/ equals that text. Throws as pristine_text does.
 bool is_pristine(const ProjectFolders& folders, const StudentFile& file);
 
 struct Reset {
-  bool changed = false;        ///< false where the file was pristine already: nothing was written
-  std::filesystem::path copy;  ///< of what was there: FILE.before-reset, or -2, -3 ... behind; empty where nothing was
+  bool changed = false;        ///< false if the file was already pristine: nothing was written
+  std::filesystem::path copy;  ///< of the old file: FILE.before-reset, or with -2, -3 ...; empty without old file
 };
 
-/// Writes the pristine text over the file in steps/. A copy of what was there is written first, under a name that no
-/// file has.
+/// Overwrites the file in steps/ with the pristine text, after copying the old file to an unused name.
 Reset reset_file(const ProjectFolders& folders, const StudentFile& file);
 
 }  // namespace atelier

@@ -1,4 +1,4 @@
-// ./atelier run: a step's own program with the student's files in it.
+// ./atelier run: runs a step's program with the student's files.
 #include <fmt/format.h>
 #include <signal.h>
 #include <unistd.h>
@@ -14,8 +14,8 @@
 namespace atelier {
 namespace {
 
-/// Whose files are drawn with, in one line: "03-shadow-mapping: yours (steps/03-shadow-mapping); 01-transforms:
-/// solution". The step's own are always the student's.
+/// Says in one line whose files are used: "03-shadow-mapping: yours (steps/03-shadow-mapping); 01-transforms:
+/// solution". The step's own files are always the student's.
 std::string whose_files(const ProjectFolders& folders, const CourseStep& step, const Owners& earlier) {
   std::string line = fmt::format("{}: {} ({})", step.name, to_string(Owner::mine),
                                  (folders.steps() / step.name).lexically_relative(folders.own()).string());
@@ -41,7 +41,7 @@ int run_run(const RunOptions& options) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   std::fflush(stdout);
-  ::signal(SIGPIPE, SIG_DFL);  // which we ignore: a program inherits that
+  ::signal(SIGPIPE, SIG_DFL);  // ignored signals would be inherited
   ::execv(pointers[0], pointers.data());
   throw Error(fmt::format("{}: cannot be started: {}; build the project again", arguments[0], std::strerror(errno)));
 }

@@ -1,4 +1,4 @@
-// ./atelier progress: how far a student is, a line for each step.
+// ./atelier progress: the student's progress, one line per step.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -20,14 +20,14 @@ using judge::points_text;
 
 constexpr int bar_width = 20;
 
-/// How much of a step is done, 0..1: by points, or by cases where it has none.
+/// The finished fraction of a step, 0..1: by points, or by cases if it has none.
 double share_of(const Standing& standing) {
   if (standing.max_score > 0) return standing.score / standing.max_score;
   return standing.cases > 0 ? double(standing.cases_passed) / standing.cases : 0;
 }
 
 std::string bar(double share, bool unicode) {
-  // Rounded down: a full bar means all of it.
+  // Rounded down, so that a full bar means finished.
   const int filled = std::clamp(int(share * bar_width), 0, bar_width);
   std::string text;
   for (int i = 0; i < bar_width; ++i) text += unicode ? (i < filled ? "\u2588" : "\u2591") : (i < filled ? "#" : ".");

@@ -36,8 +36,8 @@ std::optional<std::string> read_where_there(const fs::path& path) {
   return read_file(path);
 }
 
-/// The changes of a release in the student's text. Where both have changed the same lines and the skeleton's code is as
-/// it was, the student's lines stay: only comments were written anew.
+/// Merges a release's changes into the student's text. If both changed the same lines but only comments of the skeleton
+/// changed, the student's lines are kept.
 std::optional<std::string> with_changes(const std::string& mine, const std::string& given,
                                         const std::string& skeleton) {
   return merged(mine, given, skeleton, same_code(given, skeleton) ? Conflict::keep_mine : Conflict::give_up);
@@ -53,7 +53,7 @@ class Update {
 
   std::vector<std::string> run() {
     if (names_of_new().empty() && renames_.empty()) return {};
-    // Two commands at a time take turns: what the first one does must not look like a student's edit to the second.
+    // Lock: a second command must not mistake the first one's changes for a student's edit.
     const FolderLock lock(skeletons_);
     const std::vector<std::string> names = names_of_new();
     if (names.empty() && renames_.empty()) return {};
@@ -64,13 +64,12 @@ class Update {
     }
     write_skeleton_record(steps_, record);
     if (!renames_.empty())
-      write_file(given_ / "renames.txt", read_file(steps_ / "renames.txt"));  // last: now all is done
+      write_file(given_ / "renames.txt", read_file(steps_ / "renames.txt"));  // last, when everything is done
     return std::move(lines_);
   }
 
  private:
-  /// The skeletons that were not given yet, those of files that are missing, and those whose own file holds a name that
-  /// has changed.
+  /// Skeletons that were not given yet, of missing files, and of files that contain a renamed identifier.
   std::vector<std::string> names_of_new() const {
     std::vector<std::string> names = files_below(skeletons_);
     std::erase_if(names, [&](const std::string& name) {
@@ -90,14 +89,14 @@ class Update {
     auto given = read_where_there(given_ / name);
     const auto mine = read_where_there(steps_ / name);
     if (!mine) {
-      put(name, skeleton, "is yours to write");
+      put(name, skeleton, "is new: write it");
     } else if (mine == given) {
-      put(name, skeleton, "was untouched, and is now the skeleton of this release");
+      put(name, skeleton, "was untouched, and was replaced by this release's skeleton");
     } else if (*mine != skeleton) {
       if (given) given = with_new_names(name, *given);
       keep(name, *mine, given, skeleton);
     }
-    write_file(given_ / name, skeleton);  // last, so that a run that is cut off is done again
+    write_file(given_ / name, skeleton);  // last, so that an interrupted run is repeated
   }
 
   void keep(const std::string& name, const std::string& mine, const std::optional<std::string>& given,
@@ -106,19 +105,18 @@ class Update {
     const auto both = given == skeleton ? mine_renamed
                       : given           ? with_changes(mine_renamed, *given, skeleton)
                                         : std::nullopt;
-    if (both == mine) return;  // the student has made the same changes
+    if (both == mine) return;  // both have made the same changes
     if (both) {
       const fs::path before = free_path(steps_ / name, ".before-merge");
       write_file(before, mine);
       put(name, *both,
-          fmt::format("has your work and the changes of this release; {} is as you left it",
+          fmt::format("now has your work and this release's changes; {} is your old version",
                       before.filename().string()));
       return;
     }
     const fs::path beside = free_path(steps_ / name, ".new");
     write_file(beside, skeleton);
-    say(name, fmt::format("stays as you left it; the skeleton of this release lies beside as {}",
-                          beside.filename().string()));
+    say(name, fmt::format("is unchanged; this release's skeleton is in {}", beside.filename().string()));
   }
 
   void put(const std::string& name, const std::string& text, const std::string& what) {
@@ -131,7 +129,7 @@ class Update {
   }
 
   fs::path skeletons_, given_, steps_;
-  std::vector<Rename> renames_;  ///< that the student's files have not been through
+  std::vector<Rename> renames_;  ///< not yet applied to the student's files
   std::vector<std::string> lines_;
 };
 

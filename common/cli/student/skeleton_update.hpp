@@ -1,21 +1,19 @@
-// Brings the skeletons of a release to a student's files, and a newer release's over edited ones, without losing a
-// word.
+// Updates a student's files to the skeletons of a release without losing edits.
 //
-//   skeletons/NN-name/FILE    what the release brings; unpacking a newer release changes these
-//   .given/NN-name/FILE       what was given last, so that a student's edits can be told from it
-//   steps/NN-name/FILE        the student's own; no release has such a file
-//   steps/skeletons.sha256    what an untouched file is (skeleton_record.hpp)
+//   skeletons/NN-name/FILE    from the release; unpacking a newer release changes these
+//   .given/NN-name/FILE       the last given version, for detecting a student's edits
+//   steps/NN-name/FILE        the student's file; no release has such a file
+//   steps/skeletons.sha256    hashes of untouched files (skeleton_record.hpp)
 //
-// Of every FILE:
-//   not there                       it is given, also where the student has deleted it to start again
-//   as it was given                 the new skeleton takes its place
-//   edited, the skeleton as before  it stays
-//   edited, a new skeleton          the changes of both are merged by git, and FILE.before-merge keeps the student's;
-//                                   without git, where both have changed the same lines and not the comments alone,
-//                                   or where it is not known what was given: the student's stays, and the new skeleton
-//                                   lies beside as FILE.new
-// Names that a release has changed (renames.hpp) are changed in the student's file first; FILE.before-merge keeps it as
-// it was. .given/renames.txt says which of them the files have been through.
+// For every FILE:
+//   not there                       it is given, also after the student has deleted it to start again
+//   untouched                       it is replaced by the new skeleton
+//   edited, the skeleton as before  it does not change
+//   edited, a new skeleton          git merges both changes, and FILE.before-merge keeps the student's file; without
+//                                   git, if both have changed the same lines (not only comments), or if the given
+//                                   version is unknown: FILE does not change, and the new skeleton is FILE.new
+// Renamed identifiers (renames.hpp) are first changed in the student's file; FILE.before-merge keeps the old version.
+// .given/renames.txt lists the renames that have been applied.
 #pragma once
 
 #include <string>
@@ -25,9 +23,9 @@
 
 namespace atelier {
 
-/// Does this where the project has a folder skeletons/; costs a comparison of a few small files where nothing is new.
-/// A name that is taken gets a number (FILE.new-2), so nothing is overwritten. Returns a line for each file that was
-/// given, replaced, merged or put beside. Throws Error naming what cannot be read or written.
+/// Does nothing without a folder skeletons/; if nothing is new it only compares a few small files. Existing names get a
+/// number (FILE.new-2), so nothing is overwritten. Returns a line for each file that was given, replaced, merged or
+/// written as FILE.new. Throws Error naming a file that cannot be read or written.
 std::vector<std::string> update_skeletons(const ProjectFolders& folders);
 
 }  // namespace atelier

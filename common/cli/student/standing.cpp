@@ -27,7 +27,7 @@ Standing standing_of(const ProjectFolders& folders, const CourseStep& step, cons
   standing.best = progress.best;
 
   std::vector<std::string> cases;
-  if (std::filesystem::exists(folders.case_file(step.name)))  // a step that is being made may have none yet
+  if (std::filesystem::exists(folders.case_file(step.name)))  // a new step may have none yet
     for (const judge::JudgedCase& c : judge::read_case_file(folders.case_file(step.name)).cases) {
       cases.push_back(c.ask.name);
       standing.max_score += c.points;

@@ -1,4 +1,4 @@
-// ./atelier submit: packs the files that a student has written for a step, and no others, as `grade` takes them.
+// ./atelier submit: packs a student's files of a step for `grade`.
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -26,8 +26,8 @@ std::string check_in_words(const ProjectFolders& folders, const CourseStep& step
       return fmt::format("These files have not been checked in full: ./atelier check {}", step.number());
     return fmt::format("The last check passed {} of {} cases and gave {} / {} points.", standing.cases_passed,
                        standing.cases, judge::points_text(standing.score), judge::points_text(standing.max_score));
-  } catch (const Error&) {  // a broken record is no reason not to hand in
-    return "What the last check gave is not known.";
+  } catch (const Error&) {  // an invalid record must not prevent a submission
+    return "The result of the last check is unknown.";
   }
 }
 
@@ -37,7 +37,7 @@ int run_submit(const SubmitOptions& options) {
   const ProjectFolders folders = project_folders();
   const CourseStep step = resolve_step(read_course(folders.step_flags()), options.step);
   const fs::path out = options.out.empty() ? folders.out() / "submit" / (step.name + ".zip") : options.out;
-  if (out.extension() != ".zip") throw Error(fmt::format("--out {}: it takes a file that ends in .zip", out.string()));
+  if (out.extension() != ".zip") throw Error(fmt::format("--out {}: must be a file that ends in .zip", out.string()));
 
   const grade::PackedFiles files = read_own_files(folders, step);
   const std::string archive = grade::make_zip(files);

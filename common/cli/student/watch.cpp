@@ -1,6 +1,6 @@
-// ./atelier watch: at every save a verdict, and one thing to mend; keys for everything else.
+// ./atelier watch: shows a verdict and one thing to fix at every save; keys for everything else.
 //
-// It stays on its step until it is told to go on: a student who has passed may want to look around.
+// It stays on its step until the user continues: a student who has passed may want to look around.
 #include <fmt/format.h>
 #include <poll.h>
 #include <unistd.h>
@@ -35,7 +35,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr char ctrl_d = 4;
 
-/// What a student may change: the step's files, and those of the steps that it stands on.
+/// The files that a student may change: those of the step and of the steps that it uses.
 std::vector<fs::path> files_to_watch(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                                      const CourseStep& step) {
   std::vector<fs::path> files;
@@ -50,9 +50,9 @@ bool is_whole(const fs::path& file) {
   return fs::file_size(file, error) > 0 && !error;
 }
 
-/// A step with only the failure that comes first: what to mend next.
+/// The result with only the first failure: what to fix next.
 judge::StepResult first_failure(const judge::StepResult& result) {
-  // Not a copy to be emptied: every case carries its pictures.
+  // Do not copy the whole result: every case has its pictures.
   judge::StepResult first{.step = result.step,
                           .title = result.title,
                           .score = result.score,
@@ -68,15 +68,15 @@ judge::StepResult first_failure(const judge::StepResult& result) {
   return first;
 }
 
-/// "Also failing: sphere, table", of those that have not been told of; bounded, for a screen.
-std::string further_failures(const judge::StepResult& result, const judge::StepResult& told) {
+/// "Also failing: sphere, table", of those not shown yet; limited for the screen.
+std::string further_failures(const judge::StepResult& result, const judge::StepResult& shown) {
   constexpr std::size_t most_names = 8;
-  const auto is_told = [&](const std::string& name) {
-    return std::any_of(told.cases.begin(), told.cases.end(), [&](const auto& c) { return c.name == name; });
+  const auto is_shown = [&](const std::string& name) {
+    return std::any_of(shown.cases.begin(), shown.cases.end(), [&](const auto& c) { return c.name == name; });
   };
   std::vector<std::string> names;
   for (const judge::CaseResult& c : result.cases)
-    if (c.status != judge::Status::passed && !is_told(c.name)) names.push_back(c.name);
+    if (c.status != judge::Status::passed && !is_shown(c.name)) names.push_back(c.name);
   if (names.empty()) return {};
   std::string text = "Also failing: ";
   for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) text += (i ? ", " : "") + names[i];
@@ -102,7 +102,7 @@ class Session {
   void wait();
   void listen();
   void settle();
-  bool called_away();
+  bool is_obsolete();
   void show_verdict();
   void judge_and_show();
   void explain_keys() const;
@@ -122,26 +122,26 @@ class Session {
   FileWatch files_;
   judge::TerminalStyle style_;
   std::deque<char> pressed_;
-  bool saved_ = false;  ///< a file has changed since the last verdict began
+  bool saved_ = false;  ///< a file has changed since the last verdict was started
   std::optional<judge::SubmissionResult> result_;
 };
 
-/// Takes in keys and changes; never waits.
+/// Reads keys and file changes; does not wait.
 void Session::listen() {
   while (const auto key = keys_.take()) pressed_.push_back(*key);
   if (!files_.take_changes().empty()) saved_ = true;
 }
 
-/// Until there is a key or a change.
+/// Waits for a key or a change.
 void Session::wait() {
   for (listen(); pressed_.empty() && !saved_ && !keys_.closed(); listen()) {
-    pollfd inputs[] = {{keys_.descriptor(), POLLIN, 0}, {files_.descriptor(), POLLIN, 0}};  // poll passes over -1
+    pollfd inputs[] = {{keys_.descriptor(), POLLIN, 0}, {files_.descriptor(), POLLIN, 0}};  // poll ignores -1
     ::poll(inputs, 2, int(FileWatch::poll_interval.count()));
   }
 }
 
-/// An editor may write a file in several steps, or empty it first: waits until nothing has changed for a moment and no
-/// file is empty, but not for ever.
+/// An editor may write a file in several steps, or truncate it first: waits until nothing has changed for a moment and
+/// no file is empty, with a time limit.
 void Session::settle() {
   constexpr milliseconds moment{10}, longest{300};
   const auto until = Clock::now() + longest;
@@ -155,8 +155,8 @@ void Session::settle() {
   saved_ = false;
 }
 
-/// Whether a verdict in the making is not wanted any more.
-bool Session::called_away() {
+/// Whether the verdict being computed is obsolete.
+bool Session::is_obsolete() {
   listen();
   return saved_ || keys_.closed() || std::any_of(pressed_.begin(), pressed_.end(), [](char key) {
            return key == 'q' || key == ctrl_d || key == 'r' || key == 'n';
@@ -174,14 +174,14 @@ void Session::explain_keys() const {
 }
 
 void Session::judge_and_show() {
-  if (style_.colour) fmt::print("\x1b[2J\x1b[H");  // a clean screen for each verdict
+  if (style_.colour) fmt::print("\x1b[2J\x1b[H");  // clear the screen for each verdict
   fmt::print("{}: building and drawing ...\n", check_.step().name);
   std::fflush(stdout);
   const auto begin = Clock::now();
   try {
     judge::SubmissionResult result;
     result.submission = "yours";
-    result.steps.push_back(check_.judge([this] { return called_away(); }));
+    result.steps.push_back(check_.judge([this] { return is_obsolete(); }));
     grade::sum_up(result);
     check_.record(result.steps.front());
     result_ = std::move(result);
@@ -189,7 +189,7 @@ void Session::judge_and_show() {
     fmt::print("\n{:.2f} s from the files to the verdict\n",
                std::chrono::duration<double>(Clock::now() - begin).count());
     explain_keys();
-    // What is slow comes last, and an editor that shows preview.png sees it change.
+    // The slow part comes last; an editor that shows preview.png reloads it.
     result_->environment = grade::describe_environment(context_, check_.folders().step_flags(), check_.folders().root);
     write_own_report(*result_, report());
   } catch (const judge::Interrupted&) {
@@ -239,10 +239,10 @@ void Session::open_report() const {
   const Finished opened =
       run_process({.arguments = {"sh", "-c", fmt::format("({}) >/dev/null 2>&1", opener), page.string()},
                    .time_limit = milliseconds(5000)});
-  if (!opened.ok()) fmt::print("No program to open it was found: give the line above to a browser.\n");
+  if (!opened.ok()) fmt::print("No program to open it was found: open the line above in a browser.\n");
 }
 
-/// One key as an answer; none where the student leaves instead.
+/// One key as an answer; none if the student quits instead.
 std::optional<char> Session::ask(const std::string& question) {
   fmt::print("{} ", question);
   std::fflush(stdout);
@@ -269,24 +269,24 @@ void Session::reset() {
     chosen = std::size_t(*key - '1');
   }
   const auto sure =
-      ask(fmt::format("{} goes back to how it was handed out; a copy of yours is kept. Sure? [y/N]", files[chosen]));
+      ask(fmt::format("{} is reset to its skeleton; a copy of yours is kept. Sure? [y/N]", files[chosen]));
   if (!sure || (*sure != 'y' && *sure != 'Y')) return fmt::print("Nothing was reset.\n");
   const Reset reset = reset_file(check_.folders(), {.step = check_.step(), .name = files[chosen]});
-  if (!reset.changed) return fmt::print("{} is as it was handed out already.\n", files[chosen]);
-  fmt::print("Reset. What was there is kept in {}\n", reset.copy.string());
+  if (!reset.changed) return fmt::print("{} is already the untouched skeleton.\n", files[chosen]);
+  fmt::print("Reset. Your old file is kept in {}\n", reset.copy.string());
 }
 
 Going Session::run() {
   judge_and_show();
   for (;;) {
-    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return Going::away;  // nobody listens any more
+    if (std::fflush(stdout) != 0 || std::ferror(stdout)) return Going::away;  // the output is closed
     wait();
     if (saved_) {
       settle();
       judge_and_show();
       continue;
     }
-    if (pressed_.empty()) return Going::away;  // no key will ever come
+    if (pressed_.empty()) return Going::away;  // no more keys will come
     const char key = pressed_.front();
     pressed_.pop_front();
     switch (key) {
@@ -340,7 +340,7 @@ int run_watch(const WatchOptions& options) {
   Keyboard keys;
   while (Session(folders, course, *step, options, keys).run() == Going::on) {
     const CourseStep* next = unfinished();
-    // The step at hand may be the first that has not passed; who goes on all the same gets the one behind it.
+    // If the current step is the first that has not passed, continue with the one after it.
     if (next == step) next = step == &course.back() ? nullptr : step + 1;
     if (next == nullptr) {
       fmt::print("There is no further step.\n");

@@ -9,12 +9,12 @@ SettingSpec blind_setting() {
 }
 
 void Blind::configure(const Settings& settings) {
-  hung_ = settings.flag("light.blind");
+  enabled_ = settings.flag("light.blind");
 }
 
 Need Blind::need(const Scene&, const View&, const Node& node) const {
   const bool lit = !lights_.points.empty() || !lights_.spots.empty() || !lights_.directional.empty();
-  return {.wanted = hung_ && lit && node.receives_shadow};
+  return {.wanted = enabled_ && lit && node.receives_shadow};
 }
 
 std::map<Slot, SlotCode> Blind::slots() const {

@@ -1,5 +1,4 @@
-// A blind before every light, as a feature of the renderer: something that stands in the way of light long before there
-// are shadows. Given.
+// A blind in front of every light, as a feature of the renderer: an occluder without shadow maps. Given.
 #pragma once
 
 #include "02-blinn-phong/given/lit_surface.hpp"
@@ -7,21 +6,21 @@
 
 namespace atelier {
 
-/// Slats that lie in a horizontal plane and run along z. Each lets one half of the light through, and what falls
-/// between two slats goes on as it is. Metres.
+/// Slats in a horizontal plane, parallel to z. Each transmits one half of the light; between slats all light passes.
+/// Metres.
 struct BlindShape {
   double below = 0.5;   ///< the plane's distance below a point or spot light
-  double height = 4;    ///< the plane's y before a directional light
-  double period = 0.4;  ///< from slat to slat along x, the first in the middle of 0 .. period; half of it is slat
-  double ramp = 0.04;   ///< across each edge of a slat light grows from 1/2 to 1 as 3t^2 - 2t^3
+  double height = 4;    ///< the plane's y for a directional light
+  double period = 0.4;  ///< spacing of the slats along x, the first in the middle of 0 .. period; half of it is slat
+  double ramp = 0.04;   ///< across each edge of a slat the transmission grows from 1/2 to 1 as 3t^2 - 2t^3
 };
 inline constexpr BlindShape blind_shape;
 
-/// "light.blind": off, or a blind before every light.
+/// "light.blind": whether there is a blind in front of every light.
 SettingSpec blind_setting();
 
-/// Says how much of each light passes its blind, at nodes that receive shadows: 1/2 to 1, and 1 where the way to the
-/// light does not cross the plane. Its shader reads the lights that LitSurface sends.
+/// The fraction of each light that passes its blind, at nodes that receive shadows: 1/2 to 1; 1 if the ray to the light
+/// does not cross the plane. Its shader reads LitSurface's light uniforms.
 class Blind : public Feature {
  public:
   /// `lights` are a LitSurface's, which outlives this.
@@ -33,7 +32,7 @@ class Blind : public Feature {
 
  private:
   const DrawnLights& lights_;
-  bool hung_ = false;
+  bool enabled_ = false;
 };
 
 }  // namespace atelier

@@ -21,21 +21,21 @@ bool has_specular(const Material& material) {
   return material.specular != glm::vec3(0);
 }
 
-/// The height of a highlight's lobe, by the setting specular.normalisation: 1, or the factors of the contract.
+/// The height of a highlight's lobe for the setting specular.normalisation: 1, or the factors of the contract.
 double peak(int normalisation, double n) {
   if (normalisation == 1) return (n + 8) / 8;
   if (normalisation == 2) return (n + 2) * (n + 4) / (8 * (std::exp2(-n / 2) + n));
   return 1;
 }
 
-/// A picture as an 8-bit file holds it: encoded to sRGB, a 255th a step. What the student's srgb_decode then undoes.
+/// A picture encoded to sRGB with 8 bits, like a file. The student's srgb_decode decodes it.
 Image encoded(Image image) {
   const auto stored = [](float linear) { return float(srgb_code(linear)) / 255; };
   for (Rgba& p : image.pixels()) p = {stored(p.r), stored(p.g), stored(p.b), p.a};
   return image;
 }
 
-/// What encoded() stored, decoded by the student's function. There are 256 codes only: it is asked once for each.
+/// Decodes encoded() with the student's function, called once for each of the 256 codes.
 Image decoded(Image image) {
   std::array<float, 256> linear{};
   for (std::size_t code = 0; code < linear.size(); ++code) linear[code] = blinn_phong::srgb_decode(float(code) / 255);
@@ -92,7 +92,7 @@ std::vector<SettingSpec> lit_surface_settings() {
 }
 
 void LitSurface::configure(const Settings& settings) {
-  // Shadows are looked up for every pixel: programs that have them leave the choice out.
+  // Programs with shadows do not have this setting, since shadows need per-pixel lighting.
   per_vertex_ = settings.has("shading") && settings.choice("shading") == "vertex";
   const std::string& normalisation = settings.choice("specular.normalisation");
   normalisation_ = normalisation == "n+8" ? 1 : normalisation == "exact" ? 2 : 0;
@@ -106,8 +106,7 @@ void LitSurface::configure(const Settings& settings) {
   compact_textures_ = settings.choice("texture.format") == "8";
 }
 
-/// Sorts the lights that shine into those of each type. What can be left out is decided once a scene, for every place
-/// from which it may be seen.
+/// Sorts the lights that are on by type. Lights to leave out are chosen once per scene, for all viewpoints.
 void LitSurface::choose_lights(const Scene& scene) {
   const auto shining = std::min(lights_.all.size(), std::size_t(light_limit_));
   const std::vector<Light> lights(lights_.all.begin(), lights_.all.begin() + std::ptrdiff_t(shining));
@@ -154,7 +153,7 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
         store_in_8_bits(gl, textures_[std::size_t(*index)].id(),
                         decode_after_filter_ ? Encoding::srgb : Encoding::linear);
     }
-  // Here and not when first drawn with: a texture that is made takes the place of one that is bound already.
+  // Here and not at first use: creating a texture changes the texture binding.
   if (power_ == Power::table)
     for (const Material& material : scene.materials)
       if (has_specular(material)) power_table_for(material.exponent);

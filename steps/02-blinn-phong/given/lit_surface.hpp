@@ -1,4 +1,4 @@
-// The lit surface, as a feature of the renderer: what later steps build on. Given.
+// The lit surface, as a feature of the renderer; later steps build on it. Given.
 #pragma once
 
 #include <span>
@@ -7,13 +7,13 @@
 
 namespace atelier {
 
-/// "shading": pixel or vertex. A program that does not list it works out light for every pixel.
+/// "shading": pixel or vertex. A program without it computes lighting per pixel.
 SettingSpec shading_setting();
 
 /// The other settings of this step that belong to the surface (not to the scene).
 std::vector<SettingSpec> lit_surface_settings();
 
-/// The lights that shaders add up, as numbers of a frame's lights: light i of u_point_lights is all[points[i]].
+/// The lights that shaders use, as indices of all lights: light i of u_point_lights is all[points[i]].
 struct DrawnLights {
   std::span<const Light> all;  ///< the scene's, and those that features have added
   std::vector<int> points, spots, directional;
@@ -49,7 +49,7 @@ class LitSurface : public Feature {
   Gl* gl_ = nullptr;
   DrawnLights lights_;
   int lights_left_out_ = 0;
-  std::vector<GlTexture> textures_;          ///< by index in the scene; empty where no material uses it
+  std::vector<GlTexture> textures_;          ///< by index in the scene; empty if no material uses it
   std::map<float, GlTexture> power_tables_;  ///< by exponent
 };
 

@@ -59,7 +59,7 @@ Scene spots() {
   return scene;
 }
 
-/// A floor with marks that tell up from down, seen at a slant, by day: wrap, filter, decoding.
+/// A floor with oriented textures, seen at an angle in daylight: wrap, filter, decoding.
 Scene tiles() {
   Scene scene{.name = "tiles"};
   scene.background = {0.35f, 0.45f, 0.6f};
@@ -101,8 +101,8 @@ Scene festival() {
   return scene;
 }
 
-/// Everything at its edge: a light on the surface, a light at the eye, a black and an over-bright material, a needle, a
-/// box without normals, spots of 0 and 180 degrees.
+/// Extreme inputs: a light on the surface, a light at the eye, a black and an over-bright material, a needle, a box
+/// without normals, spots of 0 and 180 degrees.
 Scene edges() {
   Scene scene{.name = "edges"};
   scene.ambient = glm::vec3(0.05f);
@@ -135,8 +135,8 @@ Scene edges() {
   return scene;
 }
 
-/// A bollard under its lamp, and across the water sixty lanterns too far away for anyone to see what they add, a
-/// searchlight that is turned away, and a lamp that is out.
+/// A bollard under a point light, and sixty lights across the water that are too far away to be visible, a spot light
+/// that points away, and a light that is off.
 Scene quay() {
   Scene scene{.name = "quay"};
   scene.ambient = glm::vec3(0.005f);
@@ -163,8 +163,8 @@ Scene quay() {
   return scene;
 }
 
-/// Two lights of each type over a floor, made for "light.blind": nothing reaches up into a blind, and all is matt, so
-/// that no highlight can be wrong. Of two balls that are otherwise alike one receives no shadow, and so no stripes.
+/// Two lights of each type over a floor, for "light.blind": no object reaches up to a blind, and all materials are
+/// matt, so that no highlight can be wrong. One of two equal balls receives no shadow, and so no stripes.
 Scene blinds() {
   Scene scene{.name = "blinds"};
   scene.ambient = glm::vec3(0.06f);
@@ -193,7 +193,7 @@ Scene blinds() {
   return scene;
 }
 
-/// The exponent that material.exponent asks for; without one, that of a new material.
+/// The setting material.exponent; if it is -1, the default exponent.
 float asked_exponent(const Settings& settings) {
   const double asked = settings.real("material.exponent");
   return asked >= 0 ? float(asked) : Material().exponent;

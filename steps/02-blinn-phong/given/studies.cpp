@@ -26,8 +26,7 @@ struct Node1D {
   double x, weight;
 };
 
-/// Gauss and Legendre's rule with `count` nodes: the roots of the polynomial, by Newton's method from Chebyshev's
-/// guess.
+/// The Gauss-Legendre rule with `count` nodes: the roots of the polynomial, by Newton's method from Chebyshev's guess.
 std::vector<Node1D> gauss_legendre(int count) {
   std::vector<Node1D> nodes;
   for (int i = 0; i < count; ++i) {
@@ -68,13 +67,13 @@ Scene furnace() {
   int place = 0;
   for (const auto& [x, weight] : gauss_legendre(64)) {
     const double u = low + (high - low) * (x + 1) / 2, du = weight * (high - low) / 2;
-    const double theta = 2 * std::acos(u), around = 2.399963 * place++;  // the golden angle: any would do
+    const double theta = 2 * std::acos(u), around = 2.399963 * place++;  // the golden angle; any angle works
     add_light(scene, {.type = LightType::directional,
                       .direction = -glm::vec3(std::sin(theta) * std::cos(around), std::cos(theta),
                                               std::sin(theta) * std::sin(around)),
                       .colour = glm::vec3(float(8 * u * du))});
   }
-  // From so far away that all of the picture is seen from straight above.
+  // Far enough away that the view direction is nearly the same in all pixels.
   scene.camera = from_above(10, 1e-3f);
   return scene;
 }
@@ -83,7 +82,7 @@ Scene highlight(float exponent) {
   Scene scene = dark("highlight");
   const int gloss =
       add_material(scene, {.name = "gloss", .diffuse = glm::vec3(0), .specular = glm::vec3(1), .exponent = exponent});
-  // cos(angle)^n = 1/2 at the half vector's angle, which is half of the eye's.
+  // cos(angle)^n = 1/2 at the half vector's angle, which is half of the view angle.
   const double widest = 70 * pi / 180, half_maximum = 2 * std::acos(std::pow(0.5, 1 / double(exponent)));
   const double tilt = half_maximum < widest ? half_maximum : widest;
   const float side = float(4 * std::tan(tilt));

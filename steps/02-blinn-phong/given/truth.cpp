@@ -28,7 +28,7 @@ void adjust_exactly(Scene& scene, const Settings& settings) {
   }
 }
 
-/// The light that an 8-bit sRGB file of the picture stands for: the step's textures are such files.
+/// The linear light of the picture after 8-bit sRGB encoding, as in the step's textures.
 Image as_stored(Image image) {
   const auto stored = [](float linear) { return float(srgb_decode(double(srgb_code(linear)) / 255)); };
   for (Rgba& p : image.pixels()) p = {stored(p.r), stored(p.g), stored(p.b), p.a};
@@ -53,7 +53,7 @@ oracle::Normalisation normalisation_named(const std::string& name) {
                            : oracle::Normalisation::none;
 }
 
-/// What the blind lets through at this x.
+/// The blind's transmission at this x.
 double through_slats(double x) {
   const BlindShape& blind = blind_shape;
   const double off_middle = std::abs(std::remainder(x - blind.period / 2, blind.period));
@@ -61,7 +61,7 @@ double through_slats(double x) {
   return (1 + t * t * (3 - 2 * t)) / 2;
 }
 
-/// Follows the ray from the position to the light until it meets the blind's plane.
+/// The blind's transmission where the ray from the position to the light crosses its plane.
 double through_blind(const Light& light, const glm::dvec3& position) {
   const bool endless = light.type == LightType::directional;
   const glm::dvec3 way = endless ? -glm::dvec3(light.direction) : light.position - position;
@@ -89,7 +89,7 @@ SceneTruth blinn_phong_truth(const TruthRequest& request, const Settings& settin
   if (settings.has("light.blind") && settings.flag("light.blind")) truth.shading.share = through_blind;
   if (request.output == "encoded") {
     truth.output = "colour";
-    truth.scene.background = glm::vec3(0);  // as behind every output but the colour
+    truth.scene.background = glm::vec3(0);  // as for every output except colour
     truth.finish = [](Image image) { return srgb_encode(image); };
   }
   return truth;

@@ -9,7 +9,7 @@ namespace atelier {
 
 namespace {
 
-/// Makes the bound texture one that is read as it is stored, for as long as this lives.
+/// Disables comparison and filtering of the bound texture during its lifetime.
 class ReadAsStored {
  public:
   ReadAsStored(Gl& gl, GLenum kind) : gl_(gl), kind_(kind) {

@@ -9,14 +9,14 @@
 
 namespace atelier {
 
-/// Draws what a texture of depths holds over a whole target, texel by texel. The program is built at first use.
+/// Draws a depth texture over a whole target, texel by texel. The program is built at first use.
 class MapPicture {
  public:
   /// `kind` is the texture's target, GL_TEXTURE_2D_ARRAY or GL_TEXTURE_CUBE_MAP; `fragment` the GLSL that reads it:
-  /// declares `u_map` and, where it wants it, `uniform vec2 u_size` (the target's pixels), and writes `out vec4 o`.
+  /// declares `u_map` and optionally `uniform vec2 u_size` (the target's pixels), and writes `out vec4 o`.
   MapPicture(GLenum kind, std::string fragment) : kind_(kind), fragment_(std::move(fragment)) {}
 
-  /// The texture is read as it is stored, neither compared nor mixed, and left as it was. `bind` sets further uniforms.
+  /// Reads the texture without comparison and filtering, and restores its parameters. `bind` sets further uniforms.
   void draw(Gl& gl, const Target& target, GLuint texture, const std::function<void(Uniforms&)>& bind = {});
 
  private:

@@ -12,7 +12,7 @@ namespace {
 
 using Corners = std::vector<glm::dvec3>;  ///< of boxes, eight a box, world space
 
-/// The corners of the boxes of all nodes that `takes_part` picks: each box lies along its object's own axes.
+/// The corners of the boxes of all nodes that `takes_part` selects; each box is aligned with its object's axes.
 template <class Predicate>
 Corners corners_of_nodes(const Scene& scene, Predicate takes_part) {
   const std::vector<glm::dmat4> models = world_matrices_exact(scene.nodes);
@@ -31,7 +31,7 @@ double depth_along(const ExactFrustum& frustum, const glm::dvec3& point) {
   return glm::dot(point - frustum.eye, frustum.direction);
 }
 
-ExactFrustum around_from_sun(const Light& light, const Ball& ball) {
+ExactFrustum around_directional(const Light& light, const Ball& ball) {
   const glm::dvec3 direction = glm::normalize(glm::dvec3(light.direction));
   const double radius = std::max(ball.radius, 1e-6);
   return {.orthographic = true,
@@ -43,7 +43,7 @@ ExactFrustum around_from_sun(const Light& light, const Ball& ball) {
 }
 
 /// `casters`: their boxes' corners, at least eight.
-ExactFrustum around_from_spot(const Light& light, const Ball& ball, const Corners& casters) {
+ExactFrustum around_spot(const Light& light, const Ball& ball, const Corners& casters) {
   ExactFrustum frustum{.eye = light.position,
                        .direction = glm::normalize(glm::dvec3(light.direction)),
                        .extent = double(light.outer_angle)};
@@ -63,20 +63,20 @@ ExactFrustum around_from_spot(const Light& light, const Ball& ball, const Corner
   return frustum;
 }
 
-/// Right, up and ahead of a light, metres, and the half-width of what it sees there.
-struct Seen {
+/// Coordinates along a light's right, up and ahead, metres, and the half-width of its frustum there.
+struct InLightSpace {
   glm::dvec3 place;
   double half_width;
 };
 
-Seen seen_from(const ExactFrustum& frustum, const glm::dvec3& position) {
+InLightSpace in_light_space(const ExactFrustum& frustum, const glm::dvec3& position) {
   const oracle::ViewFrame frame = oracle::view_frame(frustum.direction, {0, 1, 0});
   const glm::dvec3 p = position - frustum.eye;
   const glm::dvec3 place(glm::dot(p, frame.right), glm::dot(p, frame.up), glm::dot(p, frame.ahead));
   return {place, frustum.orthographic ? frustum.extent : place.z * std::tan(frustum.extent)};
 }
 
-/// Whether a spot's cone misses all of a ball.
+/// Whether a spot's cone does not intersect a sphere.
 bool shines_past(const Light& spot, const Ball& ball) {
   const glm::dvec3 way = ball.centre - spot.position;
   const double distance = glm::length(way);
@@ -86,13 +86,13 @@ bool shines_past(const Light& spot, const Ball& ball) {
   return off > spot.outer_angle + std::asin(ball.radius / distance);
 }
 
-/// Whether some box is neither beside what the light sees nor beyond it. What stands before the near plane counts.
+/// Whether any box may intersect the light's frustum, extended up to the light: the near plane is ignored.
 bool reaches_any(const ExactFrustum& frustum, const Corners& boxes) {
   for (std::size_t i = 0; i < boxes.size(); i += 8) {
     // How many of the box's corners lie on the far side of each of five planes: left, right, below, above, far.
     int outside[5] = {};
     for (std::size_t k = i; k < i + 8; ++k) {
-      const auto [p, half] = seen_from(frustum, boxes[k]);
+      const auto [p, half] = in_light_space(frustum, boxes[k]);
       const bool beyond[5] = {p.x<-half, p.x> half, p.y<-half, p.y> half, p.z > frustum.far};
       for (int plane = 0; plane < 5; ++plane) outside[plane] += beyond[plane];
     }
@@ -117,13 +117,13 @@ std::optional<ExactFrustum> exact_frustum(const Scene& scene, const Light& light
   });
   const Ball ball = ball_around(all);
   const ExactFrustum frustum =
-      light.type == LightType::directional ? around_from_sun(light, ball) : around_from_spot(light, ball, casters);
+      light.type == LightType::directional ? around_directional(light, ball) : around_spot(light, ball, casters);
   if (!reaches_any(frustum, casters)) return {};
   return frustum;
 }
 
 glm::dvec3 exact_shadow_coordinate(const ExactFrustum& frustum, const glm::dvec3& position) {
-  const auto [p, half] = seen_from(frustum, position);
+  const auto [p, half] = in_light_space(frustum, position);
   if (!frustum.orthographic && p.z <= 0) return {0, 0, 2};
   const double n = frustum.near, f = frustum.far;
   const double depth = frustum.orthographic ? (p.z - n) / (f - n) : f * (p.z - n) / (p.z * (f - n));
@@ -149,7 +149,7 @@ Scene casters_alone(Scene scene, bool back_faces_only) {
   for (Node& node : scene.nodes)
     if (!node.casts_shadow) node.mesh.reset();
   for (Material& material : scene.materials) material.two_sided = !back_faces_only;
-  if (back_faces_only)  // turned inside out, a mesh shows its back where its front was
+  if (back_faces_only)  // flipping the winding makes back faces front faces
     for (Mesh& mesh : scene.meshes)
       for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
   scene.background = glm::vec3(1);

@@ -12,8 +12,8 @@ namespace atelier {
 
 namespace {
 
-/// A spot at `position` that looks at `target`, with a cone that ends softly at `outer` degrees from its axis, and
-/// arrives at the target with `colour`.
+/// A spot at `position` towards `target`, with a soft cone of `outer` degrees from its axis; its light has `colour` at
+/// the target.
 Light spot_at(const std::string& name, const glm::dvec3& position, const glm::dvec3& target, double outer,
               const glm::vec3& colour) {
   const glm::dvec3 way = target - position;
@@ -26,17 +26,17 @@ Light spot_at(const std::string& name, const glm::dvec3& position, const glm::dv
           .outer_angle = degrees(outer)};
 }
 
-Light sun_along(const glm::vec3& direction, const glm::vec3& colour) {
+Light directional_along(const glm::vec3& direction, const glm::vec3& colour) {
   return {.type = LightType::directional, .name = "sun", .direction = direction, .colour = colour};
 }
 
-/// A floor that only receives: nothing lies below it that it could shade.
+/// A floor that casts no shadow, since nothing is below it.
 void add_floor(Scene& scene, float side, const glm::vec3& colour) {
   const int material = add_material(scene, {.name = "floor", .diffuse = colour});
   add_object(scene, make_plane({.width = side, .depth = side}), material, {.name = "floor", .casts_shadow = false});
 }
 
-/// A teapot on a table before a wall, under one spot: a renderer's first shadow.
+/// A teapot on a table in front of a wall, under one spot.
 Scene teapot() {
   Scene scene{.name = "teapot"};
   scene.ambient = glm::vec3(0.08f);
@@ -55,7 +55,8 @@ Scene teapot() {
   return scene;
 }
 
-/// Rolls a scene and its camera about an axis through the origin, by hanging all its nodes from one more. Lights stay.
+/// Rotates a scene and its camera about an axis through the origin, with an additional root node. Lights are not
+/// rotated.
 void roll(Scene& scene, const glm::vec3& axis, float angle) {
   Node all{.name = "all", .rotation_axis = axis, .rotation_angle = angle};
   const glm::dmat3 turn(world_matrices_exact({all})[0]);
@@ -67,25 +68,25 @@ void roll(Scene& scene, const glm::vec3& axis, float angle) {
   scene.camera.up = glm::vec3(turn * glm::dvec3(scene.camera.up));
 }
 
-/// A wide floor under a low directional light, and one post: where surfaces shade themselves. The light's map has its
-/// up where the world's is, so its texels lie in rows along the floor unless all but the light is rotated about its
-/// direction: the picture is the same, its map has turned.
+/// A wide floor under a low directional light, and one post: shows self-shadowing. The map's up is the world's up, so
+/// its texels lie in rows along the floor. grazing.roll rotates everything except the light about the light's
+/// direction: the picture is the same, but rotated in the map.
 Scene grazing(const Settings& settings) {
   Scene scene{.name = "grazing"};
   scene.ambient = glm::vec3(0.1f);
   add_floor(scene, 20, glm::vec3(0.7f));
-  scene.nodes.back().casts_shadow = true;  // acne is what this scene is for
+  scene.nodes.back().casts_shadow = true;  // this scene shows acne
   const int stone = add_material(scene, {.name = "stone", .diffuse = {0.5f, 0.42f, 0.35f}});
   add_object(scene, make_box({.size = {0.5f, 1, 0.5f}}), stone, {.name = "post", .translation = {0, 0.5, 0}});
   const double height = double(degrees(90 - settings.real("grazing.angle")));  // above the horizon
   const glm::vec3 direction(-float(std::cos(height)), -float(std::sin(height)), -0.3f * float(std::cos(height)));
-  add_light(scene, sun_along(direction, glm::vec3(float(0.9 / std::max(std::sin(height), 0.05)))));
+  add_light(scene, directional_along(direction, glm::vec3(float(0.9 / std::max(std::sin(height), 0.05)))));
   scene.camera = {.eye = {0.8, 2.2, 6}, .target = {-0.6, 0.2, 0}, .fov_y = degrees(42), .near = 0.5f, .far = 40};
   if (const double angle = settings.real("grazing.roll"); angle != 0) roll(scene, direction, degrees(angle));
   return scene;
 }
 
-/// A table with four legs on a floor: shadows that must begin where the legs stand.
+/// A table with four legs on a floor: shadows must begin at the legs.
 Scene table() {
   Scene scene{.name = "table"};
   scene.ambient = glm::vec3(0.08f);
@@ -103,8 +104,8 @@ Scene table() {
   return scene;
 }
 
-/// The robot under a white, a yellow and a red spot: three maps, three shadows, and each takes away its own colour
-/// only.
+/// The robot under a white, a yellow and a red spot: three maps, three shadows, each of which removes only its own
+/// colour.
 Scene three_spots() {
   Scene scene = make_builtin_scene("robot");
   scene.name = "three-spots";
@@ -118,10 +119,10 @@ Scene three_spots() {
   return scene;
 }
 
-/// A board over a floor under a light with an extent: its penumbra has a width that can be computed. The light hangs
-/// `penumbra.light` metres over the floor, the board `penumbra.board` metres. The edge of its shadow runs through the
-/// origin, where the light is straight above, and along z unless the board is turned. A second board may hang above the
-/// same edge: two penumbrae in one place.
+/// A board over a floor under a light with an extent: the width of its penumbra can be computed. The light is
+/// `penumbra.light` metres above the floor, the board `penumbra.board` metres. The edge of its shadow runs through the
+/// origin, straight below the light, and along z unless the board is rotated. A second board may be above the same
+/// edge: two penumbrae in one place.
 Scene penumbra(const Settings& settings) {
   Scene scene{.name = "penumbra"};
   scene.ambient = glm::vec3(0.02f);
@@ -143,7 +144,7 @@ Scene penumbra(const Settings& settings) {
   return scene;
 }
 
-/// A row of columns under a directional light, long enough that one map for all of it is too coarse.
+/// A row of columns under a directional light, so long that one map for all of it is too coarse.
 Scene colonnade() {
   Scene scene{.name = "colonnade"};
   scene.ambient = {0.12f, 0.14f, 0.18f};
@@ -161,14 +162,13 @@ Scene colonnade() {
       add_node(scene, {.name = "base", .translation = {x, 0.1, z}, .mesh = slab, .material = marble});
       add_node(scene, {.name = "beam", .translation = {x, 3.35, z}, .mesh = beam, .material = marble});
     }
-  add_light(scene, sun_along({-0.6f, -0.7f, -0.35f}, {0.85f, 0.8f, 0.7f}));
+  add_light(scene, directional_along({-0.6f, -0.7f, -0.35f}, {0.85f, 0.8f, 0.7f}));
   scene.camera = {.eye = {0.3, 1.7, 6.2}, .target = {0, 1.5, 0}, .fov_y = degrees(52), .near = 0.3f, .far = 80};
   return scene;
 }
 
-/// Everything at its edge: a spot straight above its target, floor behind and beside it where no map reaches, a light
-/// within a lampshade that is a caster, a light whose casters are all out of its reach, and a box that receives
-/// nothing.
+/// Extreme inputs: a spot straight above its target, floor outside the map, a light inside a shade that is a caster, a
+/// light without casters in its reach, and a box that receives no shadow.
 Scene edges() {
   Scene scene{.name = "edges"};
   scene.ambient = glm::vec3(0.06f);
@@ -206,7 +206,7 @@ Scene edges() {
   return scene;
 }
 
-/// Turns all lights about the vertical axis through the world's origin.
+/// Rotates all lights about the vertical axis through the world's origin.
 void turn_lights(Scene& scene, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   const auto turned = [&](const glm::dvec3& v) { return glm::dvec3(c * v.x + s * v.z, v.y, c * v.z - s * v.x); };

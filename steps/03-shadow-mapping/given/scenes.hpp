@@ -1,4 +1,4 @@
-// The scenes of step 03: each built so that one property of shadows can be seen in it. Given.
+// The scenes of step 03; each shows one property of shadows. Given.
 #pragma once
 
 #include "app/scene_table.hpp"
@@ -8,14 +8,13 @@ namespace atelier {
 const SceneTable& shadow_scenes();
 std::vector<SettingSpec> shadow_scene_settings();
 
-/// The same scene built `factor` times as large (above 0): lengths grow with it, and light falls off with the square of
-/// them, so that the picture stays as it is.
+/// Scales a scene by `factor` (above 0): lengths and the lights' attenuation, so that the picture does not change.
 void enlarge(Scene& scene, double factor);
 
-/// scene.scale, the factor that a user chooses.
+/// The setting scene.scale.
 SettingSpec scale_setting();
 
-/// scene.casters: whether nodes cast shadows as the scene says, or all of them do; and what it does.
+/// The setting scene.casters (whether only flagged nodes cast shadows, or all), and the function that applies it.
 SettingSpec casters_setting();
 void choose_casters(Scene& scene, const Settings& settings);
 

@@ -8,13 +8,12 @@ namespace atelier {
 
 namespace {
 
-/// How far a point of clip space lies within the i-th of the six planes -w <= x, x <= w, ...; negative outside.
+/// The signed distance of a point in clip space from the i-th of the six planes -w <= x, x <= w, ...; negative outside.
 double within(const glm::dvec4& clip, int i) {
   return i % 2 == 0 ? clip.w + clip[i / 2] : clip.w - clip[i / 2];
 }
 
-/// The part of a convex polygon in clip space that lies within a plane (Sutherland and Hodgman, "Reentrant Polygon
-/// Clipping", 1974).
+/// Clips a convex polygon in clip space to a plane (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
 std::vector<glm::dvec4> cut(const std::vector<glm::dvec4>& polygon, int plane) {
   std::vector<glm::dvec4> left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -30,7 +29,7 @@ glm::dvec3 without_w(const glm::dvec4& p) {
   return glm::dvec3(p) / p.w;
 }
 
-/// Takes world to clip space and back, and cuts what lies outside the view.
+/// Clips polygons to the view volume, through clip space.
 struct Cutter {
   glm::dmat4 to_clip, to_world;
 
@@ -38,7 +37,7 @@ struct Cutter {
       : to_clip(glm::dmat4(viewpoint.projection) * glm::dmat4(viewpoint.world_to_view)),
         to_world(glm::inverse(to_clip)) {}
 
-  /// The corners of what is left of a convex polygon.
+  /// The corners of a clipped convex polygon.
   std::vector<glm::dvec3> cut_to_view(std::span<const glm::dvec3> polygon) const {
     std::vector<glm::dvec4> left;
     for (const glm::dvec3& point : polygon) left.push_back(to_clip * glm::dvec4(point, 1));
@@ -49,8 +48,8 @@ struct Cutter {
   }
 };
 
-/// Columns: two directions perpendicular to a unit vector and to each other, and the vector. The first two lie along
-/// the map's edges, as the light's look_at has them: a rectangle that is measured along others would not fit into it.
+/// Columns: two directions perpendicular to a unit vector and to each other, and the vector. The first two are along
+/// the map's edges, as in the light's look_at, so that a rectangle measured along them fits the map.
 glm::dmat3 frame_around(const glm::dvec3& z) {
   const glm::dvec3 up(0, 1, 0);
   const glm::dvec3 other = glm::length(glm::cross(up, z)) > 1e-6 ? up : glm::dvec3(1, 0, 0);
@@ -83,7 +82,7 @@ std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Vi
     for (const int i : face) polygon.push_back(corners[std::size_t(i)]);
     for (const glm::dvec3& point : cutter.cut_to_view(polygon)) seen.push_back(point);
   }
-  // The view's own corners, where the box reaches around them.
+  // The view volume's own corners that are inside the box.
   const glm::dmat4 world_to_object = glm::inverse(glm::dmat4(item.model));
   for (const glm::dvec3& corner : corners_of(Box3{glm::dvec3(-1), glm::dvec3(1)})) {
     const glm::dvec3 p = without_w(cutter.to_world * glm::dvec4(corner, 1));
@@ -95,7 +94,7 @@ std::vector<glm::dvec3> visible_corners(const ScenePainter::Item& item, const Vi
 }
 
 Pieces visible_receivers(const Scene& scene, std::span<const ScenePainter::Item> items, const Viewpoint& viewpoint) {
-  constexpr std::size_t plain = 64 * 3;  // indices: with more triangles, cutting each would take longer than it saves
+  constexpr std::size_t plain = 64 * 3;  // indices: clipping more triangles would cost more than it saves
   const Cutter cutter(viewpoint);
   Pieces pieces;
   for (const ScenePainter::Item& item : items) {
@@ -123,7 +122,7 @@ glm::ivec4 texels_of(const Pieces& pieces, const glm::mat4& world_to_map, int re
   for (const auto& piece : pieces)
     for (const glm::dvec3& point : piece) {
       const glm::dvec4 mapped = glm::dmat4(world_to_map) * glm::dvec4(point, 1);
-      if (mapped.w <= 0) return all;  // what lies before the plane may fall anywhere then
+      if (mapped.w <= 0) return all;  // behind the light's plane: its projection may be anywhere
       const glm::dvec2 texel = glm::dvec2(mapped) / mapped.w * double(resolution);
       low = glm::min(low, texel), high = glm::max(high, texel);
     }
@@ -188,8 +187,8 @@ std::optional<shadow_mapping::LightFrustum> fit_directional_to_both(const glm::v
   shadow_mapping::LightFrustum frustum =
       shadow_mapping::fit_directional(direction, {glm::vec3(middle), float(std::max(size.x, size.y) / 2)});
   const float eye = glm::dot(frustum.eye, frustum.direction);
-  const float slack = 1e-4f * float(size.z) + 1e-6f;  // floats must not put the farthest receiver beyond the plane
-  frustum.eye += (float(both.low.z) - eye - slack) * frustum.direction;  // where depths begin: none is negative
+  const float slack = 1e-4f * float(size.z) + 1e-6f;  // float error must not put the farthest receiver behind the plane
+  frustum.eye += (float(both.low.z) - eye - slack) * frustum.direction;  // depths begin here: none is negative
   frustum.near = 0;
   frustum.far = float(size.z) + 2 * slack;
   return frustum;

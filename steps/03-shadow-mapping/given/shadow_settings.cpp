@@ -125,7 +125,8 @@ bool shows_shadows(const View& view) {
 }
 
 float texels_moved(const ShadowSettings& s) {
-  const bool along_normal = s.bias == Bias::normal_offset || s.bias == Bias::plane;  // step 04 has no plane's bias
+  // Step 04 has no receiver plane bias.
+  const bool along_normal = s.bias == Bias::normal_offset || s.bias == Bias::plane;
   return along_normal ? std::abs(s.bias_size) * float(s.pcf + (s.bilinear ? 1 : 0)) : 0.0f;
 }
 
@@ -145,7 +146,7 @@ Defines filter_structure(const ShadowSettings& s) {
 
 void bind_bias(Binder& binder, const ShadowSettings& s) {
   binder.set("u_bias", s.bias_size);
-  // The products of matrices err by some ten units in the last place of a float near 1, whatever the format.
+  // Matrix products have an error of about ten units in the last place of a float near 1, in any format.
   binder.set("u_depth_epsilon", 1e-6f + (s.format == GL_DEPTH_COMPONENT16 ? 1.0f / 65535 : 0.0f));
 }
 

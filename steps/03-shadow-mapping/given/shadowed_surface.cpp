@@ -33,7 +33,7 @@ void ShadowedSurface::moved(const Scene&) {
   found_ = false;
 }
 
-// ---- Which lights have a map, and of what
+// ---- Which lights have a map, and its frustum
 
 namespace {
 
@@ -43,10 +43,10 @@ void append(std::vector<glm::dvec3>& points, std::span<const glm::dvec3> more) {
 
 }  // namespace
 
-/// The points that the fits are made from, and the casters.
+/// The points that the frusta are fitted to.
 struct ShadowedSurface::Extents {
-  std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; what is seen of receivers
-  glm::vec3 origin;                            ///< the world's, where the view is camera-relative
+  std::vector<glm::dvec3> all, casters, seen;  ///< casters and receivers; casters; visible receivers
+  glm::vec3 origin;                            ///< the origin of a camera-relative view
 
   Extents(const Scene& scene, const Viewpoint& viewpoint, std::span<const ScenePainter::Item> items,
           ShadowSettings::Fit fit)
@@ -82,7 +82,7 @@ std::optional<LightFrustum> ShadowedSurface::fit_to_spot(const Light& light, con
     if (radians_across(*seen, position) < radians_across(sphere, position)) sphere = *seen;
   }
   LightFrustum frustum = fit_spot(position, light.direction, light.outer_angle, sphere);
-  // Only casters are drawn: the near plane may be as far as the first of them, which saves digits of every depth.
+  // Only casters are drawn: move the near plane to the first of them, for better depth precision.
   const float first = 0.99f * nearest_depth(extents.casters, frustum);
   frustum.near = glm::clamp(first, frustum.near, 0.99f * frustum.far);
   return frustum;
@@ -108,7 +108,7 @@ std::optional<MappedLight> ShadowedSurface::map_for(const Scene& scene, int ligh
   MappedLight map{.light = light, .frustum = *frustum};
   map.view = light_view(map.frustum);
   map.projection = light_projection(map.frustum);
-  // What stands before the near plane casts its shadow too: only the other five planes can put a caster out of reach.
+  // Casters in front of the near plane also cast shadows: cull with the other five planes only.
   LightFrustum deep = map.frustum;
   deep.near = deep.orthographic ? std::min(deep.near, nearest_depth(extents.casters, deep)) : deep.far / 1e5f;
   const glm::mat4 reach = light_projection(deep);
@@ -136,10 +136,10 @@ void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, 
 
 // ---- Drawing them
 
-void ShadowedSurface::make_room(Gl& gl) {
-  const Room needed{settings_.resolution, int(frame_.maps.size()), settings_.format, settings_.bilinear};
-  if (room_ == needed) return;
-  room_ = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
+void ShadowedSurface::allocate(Gl& gl) {
+  const Allocation needed{settings_.resolution, int(frame_.maps.size()), settings_.format, settings_.bilinear};
+  if (allocation_ == needed) return;
+  allocation_ = {};  // reset first, in case the student's function throws or OpenGL reports an error
   texture_ = {};
   framebuffer_ = {};
   names_ = make_shadow_maps(gl, settings_.resolution, int(frame_.maps.size()), settings_.format, settings_.bilinear);
@@ -150,29 +150,29 @@ void ShadowedSurface::make_room(Gl& gl) {
                          .c_str());
   label(gl, GL_TEXTURE, texture_.id(), "shadow maps");
   label(gl, GL_FRAMEBUFFER, framebuffer_.id(), "shadow maps");
-  room_ = needed;
+  allocation_ = needed;
   for (MappedLight& map : frame_.maps) map.drawn = false;
 }
 
 /// x, y, width and height.
-glm::ivec4 ShadowedSurface::texels_looked_up(const MappedLight& map) const {
+glm::ivec4 ShadowedSurface::texels_to_draw(const MappedLight& map) const {
   const float filter = 0.5f * float(settings_.pcf) + 1, moved = texels_moved(settings_);
   if (map.frustum.orthographic)
-    return texels_of(*frame_.looked_up, map.world_to_map(), settings_.resolution, filter + moved);
-  // In a pyramid, the tangent of whose half-angle is t, a point at depth z that is moved by A along a normal at the
-  // angle a to the axis moves by A (sin^2 a + t sin a cos a) <= A (1 + sqrt(1 + t^2)) / 2 in the map, and comes nearer
-  // by at most A / 2, where texels are smaller. A is so many texels, 2 t z / resolution wide each.
+    return texels_of(*frame_.visible_receivers, map.world_to_map(), settings_.resolution, filter + moved);
+  // In a perspective frustum with tangent t of its half-angle, moving a point at depth z by A along a normal at the
+  // angle a to the axis moves it by A (sin^2 a + t sin a cos a) <= A (1 + sqrt(1 + t^2)) / 2 in the map, and closer by
+  // at most A / 2, where texels are smaller. A is given in texels, each 2 t z / resolution wide.
   const float t = std::tan(map.frustum.extent), nearer = moved * t / float(settings_.resolution);
   if (nearer >= 0.5f) return {0, 0, settings_.resolution, settings_.resolution};
   const float aside = moved * (1 + std::hypot(1.0f, t)) / 2 / (1 - nearer);
-  return texels_of(*frame_.looked_up, map.world_to_map(), settings_.resolution, filter + aside);
+  return texels_of(*frame_.visible_receivers, map.world_to_map(), settings_.resolution, filter + aside);
 }
 
 void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
   MappedLight& map = frame_.maps[std::size_t(layer)];
   const DebugGroup group(gl, name_of(lights_, map.light, "shadow map"));
-  if (frame_.looked_up) {
-    const glm::ivec4 part = texels_looked_up(map);
+  if (frame_.visible_receivers) {
+    const glm::ivec4 part = texels_to_draw(map);
     gl.Enable(GL_SCISSOR_TEST);
     gl.Scissor(part.x, part.y, part.z, part.w);
   }
@@ -189,20 +189,21 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
   });
   gl.Disable(GL_SCISSOR_TEST);
   check_gl_error(gl, "drawing a shadow map");
-  map.drawn = !frame_.looked_up;
+  map.drawn = !frame_.visible_receivers;
 }
 
 void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
   const bool shown = shows_shadows(viewpoint.view) && viewpoint.view.output != "shadow_map";
   shown_ |= shown;
-  frame_.looked_up.reset();
+  frame_.visible_receivers.reset();
   if (!shows_shadows(viewpoint.view)) return;
   const bool keep = settings_.keep;
-  if (shown && !keep && !settings_.pcss) frame_.looked_up = visible_receivers(scene, painter.items(), viewpoint);
+  if (shown && !keep && !settings_.pcss)
+    frame_.visible_receivers = visible_receivers(scene, painter.items(), viewpoint);
   if (!found_ || !keep || settings_.fit == ShadowSettings::Fit::visible || viewpoint.view.camera_relative)
     find_maps(scene, viewpoint, painter);
-  if (!frame_.maps.empty()) make_room(gl);
-  if (has_room())  // else make_shadow_maps is not written yet
+  if (!frame_.maps.empty()) allocate(gl);
+  if (is_allocated())  // false if make_shadow_maps is not written yet
     for (int layer = 0; layer < int(frame_.maps.size()); ++layer)
       if (!keep || !frame_.maps[std::size_t(layer)].drawn) draw_map(gl, layer, painter);
   if (Defines now = structure(); now != structure_) {
@@ -214,12 +215,12 @@ void ShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& v
 bool ShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
   if (view.output != "shadow_map") return false;
   const int layer = frame_.layer_of(settings_.shown_light);
-  if (layer < 0 || !has_room()) return true;  // black: this light has no map
+  if (layer < 0 || !is_allocated()) return true;  // black: this light has no map
   showing_.draw(gl, target, texture_.id(), [&](Uniforms& uniforms) { uniforms.set("u_layer", layer); });
   return true;
 }
 
-// ---- Looking them up
+// ---- Sampling them
 
 std::string name_of(const DrawnLights& lights, int light, std::string_view what) {
   const std::string& name = lights.light(light).name;
@@ -238,28 +239,28 @@ std::string glsl_list(std::span<const int> lights, const std::function<int(int)>
   return list;
 }
 
-bool ShadowedSurface::parallel_light_stays_parallel() const {
+bool ShadowedSurface::directional_projections_are_affine() const {
   return std::all_of(frame_.maps.begin(), frame_.maps.end(), [](const MappedLight& map) {
     return !map.frustum.orthographic || glm::row(map.world_to_map(), 3) == glm::vec4(0, 0, 0, 1);
   });
 }
 
-/// Of surfaces that receive shadows. SHOWN_MAP is read by the outputs of shadows alone.
+/// The #defines of surfaces that receive shadows. Only the shadow outputs use SHOWN_MAP.
 Defines ShadowedSurface::structure() const {
   Defines d = filter_structure(settings_);
   const auto layer = [this](int light) { return frame_.layer_of(light); };
-  d["SHADOW_LIGHTS"] = std::to_string(has_room() ? frame_.maps.size() : 0);
+  d["SHADOW_LIGHTS"] = std::to_string(is_allocated() ? frame_.maps.size() : 0);
   d["SPOT_MAPS"] = glsl_list(lights_.spots, layer);
   d["DIRECTIONAL_MAPS"] = glsl_list(lights_.directional, layer);
   d["POINT_MAPS"] = glsl_list(lights_.points, layer);
-  if (parallel_light_stays_parallel()) d["PARALLEL"] = "1";
+  if (directional_projections_are_affine()) d["PARALLEL"] = "1";
   d["SHOWN_MAP"] = std::to_string(layer(settings_.shown_light));
   return d;
 }
 
 Need ShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
   const bool alone = shows_shadows_alone(view);
-  const bool maps = !frame_.maps.empty() && has_room() && node.receives_shadow;
+  const bool maps = !frame_.maps.empty() && is_allocated() && node.receives_shadow;
   if (!shows_shadows(view) || (!alone && !maps)) return {};
   Need need{.wanted = true, .structure = structure_};
   if (!node.receives_shadow) need.structure["SHADOW_LIGHTS"] = "0";
@@ -279,7 +280,7 @@ std::map<std::string, std::string> ShadowedSurface::outputs() const {
 }
 
 void ShadowedSurface::count(SceneCounts& counts) const {
-  if (has_room() && shown_) counts.lookups += std::int64_t(frame_.maps.size()) * lookups_in_a_map(settings_);
+  if (is_allocated() && shown_) counts.lookups += std::int64_t(frame_.maps.size()) * lookups_in_a_map(settings_);
 }
 
 std::vector<DrawConstant> ShadowedSurface::draw_constants() const {

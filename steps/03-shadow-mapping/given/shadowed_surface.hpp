@@ -1,4 +1,4 @@
-// Shadow maps, as a feature of the renderer: which lights get one, what it is fitted to, and when it is drawn. Given.
+// Shadow maps, as a feature of the renderer: which lights have one, its frustum, and when it is drawn. Given.
 #pragma once
 
 #include <functional>
@@ -16,37 +16,37 @@
 
 namespace atelier {
 
-/// The numbers of these lights (of a map, of a cube) as the shader lists them: "0, -1, 1".
+/// The indices of these lights' maps or cubes as a GLSL list: "0, -1, 1".
 std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
 
-/// "shadow map of light 0 (sun)": for the parts of a frame.
+/// "shadow map of light 0 (sun)": for debug groups and labels.
 std::string name_of(const DrawnLights& lights, int light, std::string_view what);
 
-/// The frusta into which all casters around a point light fit, by the light's number: one map then serves it.
+/// By index of a point light: a frustum that contains all of its casters, so that one map is enough.
 using PointFrusta = std::map<int, shadow_mapping::LightFrustum>;
 
 /// A light with a map.
 struct MappedLight {
-  int light = 0;  ///< its number in DrawnLights::all
+  int light = 0;  ///< its index in DrawnLights::all
   shadow_mapping::LightFrustum frustum;
   glm::mat4 view{1.0f}, projection{1.0f};
   glm::mat4 world_to_map() const { return shadow_mapping::bias_matrix() * projection * view; }
-  std::vector<int> casters;  ///< items of the painter that stand in it
-  bool drawn = false;        ///< whether the layer holds what these casters look like from there
+  std::vector<int> casters;  ///< the painter's items in its frustum
+  bool drawn = false;        ///< whether the layer is up to date
 };
 
-/// The maps of a frame, for features beside this one to read.
+/// The maps of a frame, for other features.
 struct FrameMaps {
   std::vector<MappedLight> maps;  ///< layer by layer
-  /// The visible receivers of this frame, where they bound which part of a map must be drawn: where maps are drawn for
-  /// every frame, and the width of the filter is known. None where all of a map may matter.
-  std::optional<Pieces> looked_up;
+  /// The visible receivers of this frame, if they limit the part of a map to draw: if maps are drawn for every frame
+  /// and the filter width is known. None if the whole map may be sampled.
+  std::optional<Pieces> visible_receivers;
   int layer_of(int light) const;  ///< -1: it has no map
 };
 
 class ShadowedSurface : public Feature {
  public:
-  /// `lights` says which lights shine, `points` which point lights a map can serve; both must outlive this.
+  /// `lights` are the active lights, `points` the point lights that can use a map; both must outlive this.
   ShadowedSurface(const DrawnLights& lights, const PointFrusta& points);
 
   void configure(const Settings& settings) override;
@@ -62,7 +62,7 @@ class ShadowedSurface : public Feature {
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void count(SceneCounts& counts) const override;
 
-  const FrameMaps& maps() const { return frame_; }  ///< as long as this object; of the view that was drawn last
+  const FrameMaps& maps() const { return frame_; }  ///< of the last drawn view; valid as long as this object
 
  private:
   struct Extents;
@@ -75,11 +75,11 @@ class ShadowedSurface : public Feature {
                                                           const Extents& extents) const;
   shadow_mapping::Sphere covered(const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_directional(const Light& light, const Extents& extents) const;
-  void make_room(Gl& gl);
+  void allocate(Gl& gl);
   void draw_map(Gl& gl, int layer, ScenePainter& painter);
-  glm::ivec4 texels_looked_up(const MappedLight& map) const;
-  bool parallel_light_stays_parallel() const;
-  bool has_room() const { return texture_ && framebuffer_; }  ///< false where make_shadow_maps is not written yet
+  glm::ivec4 texels_to_draw(const MappedLight& map) const;
+  bool directional_projections_are_affine() const;
+  bool is_allocated() const { return texture_ && framebuffer_; }  ///< false if make_shadow_maps is not written yet
   Defines structure() const;
 
   const DrawnLights& lights_;
@@ -87,18 +87,18 @@ class ShadowedSurface : public Feature {
   ShadowSettings settings_;
 
   FrameMaps frame_;
-  bool shown_ = false;  ///< whether shaders of the last frame read the maps
-  bool found_ = false;  ///< whether the maps are right for scene and settings
+  bool shown_ = false;  ///< whether shaders of the last frame sample the maps
+  bool found_ = false;  ///< whether the frusta are valid for scene and settings
   Defines structure_;   ///< of surfaces that receive shadows, in the last frame
   shadow_mapping::ShadowMaps names_;
   GlTexture texture_;
   GlFramebuffer framebuffer_;
-  struct Room {
+  struct Allocation {
     int resolution = 0, layers = 0;
     GLenum format = 0;
     bool compare = false;
-    bool operator==(const Room&) const = default;
-  } room_;  ///< what `texture_` was made as
+    bool operator==(const Allocation&) const = default;
+  } allocation_;  ///< the parameters of `texture_`
   MapPicture showing_;
 };
 

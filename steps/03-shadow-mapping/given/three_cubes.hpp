@@ -1,4 +1,4 @@
-// A scene to compare with others' programs. Given.
+// A scene for comparison with another program. Given.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -6,9 +6,9 @@
 namespace atelier {
 
 /// The scene of LearnOpenGL's chapter on shadow mapping (Joey de Vries, learnopengl.com): a wooden floor of 50 x 50
-/// metres, three wooden boxes of 1, 1 and 0.5 metres over it, and its first view of them. The chapter draws a map of
-/// parallel light for a lamp at (-2, 4, -1); here that light is a directional light from there, and the shading is step
-/// 02's, so that there is a truth to compare with. The floor casts no shadow: nothing lies below it.
+/// metres, three wooden boxes of 1, 1 and 0.5 metres over it, and its first view of them. The chapter uses an
+/// orthographic map for a point light at (-2, 4, -1); here it is a directional light from there, and the shading is
+/// step 02's, so that there is a ground truth. The floor casts no shadow, since nothing is below it.
 Scene make_cubes_scene();
 
 }  // namespace atelier

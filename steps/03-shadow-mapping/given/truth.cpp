@@ -12,22 +12,22 @@ namespace atelier {
 
 namespace {
 
-constexpr int points_a_side = 32;  ///< of a light: edges of shadows are off by at most 1/64 (oracle/shadow.hpp)
+constexpr int points_a_side = 32;  ///< of a light: the error at shadow edges is at most 1/64 (oracle/shadow.hpp)
 
-/// A picture of numbers instead of light, black where nothing is seen.
+/// Shows numbers instead of light, on a black background.
 void show(SceneTruth& truth, oracle::SurfaceColour numbers) {
   truth.shading.surface = std::move(numbers);
   truth.output = "colour";
   truth.scene.background = glm::vec3(0);
 }
 
-/// Which light the outputs are about; none: the scene has fewer.
+/// The light of the shadow outputs; null if the scene has fewer lights.
 const Light* shown_light(const Scene& scene, const Settings& settings) {
   const auto index = std::size_t(settings.integer("shadow.light"));
   return index < scene.lights.size() ? &scene.lights[index] : nullptr;
 }
 
-/// A light without a caster in its reach darkens nothing that it could light.
+/// A light without casters in its reach has the factor 1.
 void show_factor(SceneTruth& truth, const Light* light) {
   if (!light || (light->type != LightType::point && !exact_frustum(truth.scene, *light, MapFit::scene)))
     return show(truth, [](const auto&...) { return glm::dvec3(1); });
@@ -49,7 +49,7 @@ void show_map(SceneTruth& truth, const ExactFrustum& frustum, bool back_faces_on
   truth.camera = camera_of(frustum);
   truth.output = "colour";
   truth.shading.surface = [frustum](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3&) {
-    // What stands before the near plane is pressed onto it.
+    // Depths in front of the near plane are clamped to it.
     return glm::dvec3(std::max(exact_shadow_coordinate(frustum, point.position).z, 0.0));
   };
 }
@@ -57,18 +57,18 @@ void show_map(SceneTruth& truth, const ExactFrustum& frustum, bool back_faces_on
 void show_map_or_coordinate(SceneTruth& truth, const TruthRequest& request, const Settings& settings) {
   const std::string& fit = settings.choice("shadow.fit");
   if (fit == "visible" || fit == "fixed")
-    throw Error(
-        fmt::format("output '{}' has no ground truth under shadow.fit={}, which does not follow from the scene; scene "
-                    "and casters have one",
-                    request.output, fit));
+    throw Error(fmt::format(
+        "output '{}' has no ground truth for shadow.fit={}, which depends on more than the scene; use scene or casters",
+        request.output, fit));
   const bool map = request.output == "shadow_map";
   if (map && request.size.x != request.size.y)
-    throw Error(fmt::format("output 'shadow_map' of {}x{} pixels has no ground truth: a map is as wide as it is high",
-                            request.size.x, request.size.y));
+    throw Error(fmt::format("output 'shadow_map' of {}x{} pixels has no ground truth: a map is square", request.size.x,
+                            request.size.y));
   const Light* light = shown_light(truth.scene, settings);
   if (light && light->type == LightType::point)
-    throw Error(fmt::format("output '{}' has no ground truth for '{}', a point light: one map does not go round it",
-                            request.output, light->name));
+    throw Error(
+        fmt::format("output '{}' has no ground truth for '{}', a point light: one map cannot cover all directions",
+                    request.output, light->name));
   std::optional<ExactFrustum> frustum;
   if (light) frustum = exact_frustum(truth.scene, *light, fit == "scene" ? MapFit::scene : MapFit::casters);
   if (!frustum) return show(truth, [](const auto&...) { return glm::dvec3(0); });

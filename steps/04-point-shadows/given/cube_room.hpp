@@ -1,4 +1,4 @@
-// A scene to compare with others' programs. Given.
+// A scene for comparison with another program. Given.
 #pragma once
 
 #include "scene/scene.hpp"
@@ -6,8 +6,8 @@
 namespace atelier {
 
 /// The scene of LearnOpenGL's chapter on point shadows (Joey de Vries, learnopengl.com): five wooden boxes in a wooden
-/// room of 10 metres, a lamp in its middle whose light does not weaken with the distance, and the chapter's first view.
-/// The room casts no shadow: nothing lies behind its walls.
+/// room of 10 metres, a point light without attenuation in its middle, and the chapter's first view. The room casts no
+/// shadow, since nothing is behind its walls.
 Scene make_cube_room_scene();
 
 }  // namespace atelier

@@ -19,7 +19,7 @@ std::vector<shadow_mapping::Sphere> caster_spheres(const Scene& scene, std::span
 
 std::optional<shadow_mapping::LightFrustum> frustum_around(const glm::vec3& position,
                                                            const std::vector<shadow_mapping::Sphere>& spheres) {
-  // Radians, 63 degrees: up to 68, whose tangent is sqrt(6), a map has finer texels than a cube of as many.
+  // Radians, 63 degrees: up to 68 degrees (tangent sqrt(6)) a map has finer texels than a cube with as many.
   constexpr float widest = 1.1f;
   const auto cone = point_shadows::cone_around(position, spheres, widest);
   if (!cone) return {};

@@ -5,7 +5,7 @@
 
 namespace atelier {
 
-/// Finds the cones. Stands before ShadowedSurface among a renderer's features, which draws their maps.
+/// Finds the cones. Must precede ShadowedSurface, which draws their maps, in the list of features.
 class LightCones : public Feature {
  public:
   explicit LightCones(const DrawnLights& lights) : lights_(lights) {}  ///< which must outlive this
@@ -16,12 +16,12 @@ class LightCones : public Feature {
   void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
   Need need(const Scene&, const View&, const Node&) const override { return {}; }
 
-  const PointFrusta& frusta() const { return frusta_; }  ///< as long as this object
+  const PointFrusta& frusta() const { return frusta_; }  ///< valid as long as this object
 
  private:
   const DrawnLights& lights_;
   bool wanted_ = true, keep_ = true;
-  bool found_ = false;  ///< whether frusta_ is right for scene and settings
+  bool found_ = false;  ///< whether frusta_ is valid for scene and settings
   PointFrusta frusta_;
 };
 

@@ -56,15 +56,16 @@ double farthest_corner(const ScenePainter::Item& item, const glm::dvec3& from) {
 
 }  // namespace
 
-/// Whether anything in the picture is looked up in a face.
-bool PointShadowedSurface::is_looked_up(const glm::mat4& face) const {
-  if (every_face_ || !maps_.looked_up) return true;
-  // Where a grid of texels that is perpendicular to the direction lies across an edge, a step along it is up to sqrt(2)
-  // texels of the face wide, and one along its diagonal 2. A normal moves a point by up to sqrt(2) texels aside. Both
-  // hold while the steps are short against the distance.
+/// Whether any visible receiver samples a face.
+bool PointShadowedSurface::is_sampled(const glm::mat4& face) const {
+  if (every_face_ || !maps_.visible_receivers) return true;
+  // At a cube edge, a step of the texel grid perpendicular to the direction is up to sqrt(2) texels of the face, and a
+  // diagonal step 2 texels. The normal offset moves a point sideways by up to sqrt(2) texels. Both hold if the steps
+  // are short compared with the distance.
   const float texel = 2 / float(edge_), steps = 0.71f * float(settings_.pcf - 1) + texels_moved(settings_);
   if (steps * texel > 0.5f) return true;
-  return looks_into(*maps_.looked_up, face, texel * (float(settings_.pcf + 1) + 1.42f * texels_moved(settings_)));
+  return looks_into(*maps_.visible_receivers, face,
+                    texel * (float(settings_.pcf + 1) + 1.42f * texels_moved(settings_)));
 }
 
 std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const Scene& scene, int light,
@@ -81,12 +82,12 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
     far = std::max(far, farthest_corner(item, glm::dvec3(cube.position)));
   }
   if (cube.casters.empty() || far == 0) return {};
-  cube.far = float(1.001 * far);  // floats must not put the farthest caster beyond
-  cube.near = cube.far * 1e-5f;   // nothing is lost by a near plane this near: it is distances that are stored
+  cube.far = float(1.001 * far);  // so that float error does not put the farthest caster behind it
+  cube.near = cube.far * 1e-5f;   // a very small near plane costs no precision, since distances are stored
   const glm::mat4 projection = face_projection(cube.near, cube.far);
   for (int face = 0; face < 6; ++face) {
     const glm::mat4 view = face_view(cube.position, face);
-    if (!is_looked_up(view)) continue;
+    if (!is_sampled(view)) continue;
     for (const int i : cube.casters) {
       const ScenePainter::Item& item = painter.items()[std::size_t(i)];
       if (every_face_ || !outside_view(projection, view, item.model, item.box))
@@ -110,30 +111,31 @@ void PointShadowedSurface::find_cubes(const Scene& scene, const Viewpoint& viewp
 
 // ---- Drawing them
 
-bool PointShadowedSurface::make_room(Gl& gl, std::size_t cube) {
-  if (rooms_.size() <= cube) rooms_.resize(cube + 1);
-  Room& room = rooms_[cube];
-  if (room.made() && room.edge == edge_ && room.format == settings_.format && room.compare == settings_.bilinear)
+bool PointShadowedSurface::allocate(Gl& gl, std::size_t cube) {
+  if (allocations_.size() <= cube) allocations_.resize(cube + 1);
+  Allocation& allocation = allocations_[cube];
+  if (allocation.is_allocated() && allocation.edge == edge_ && allocation.format == settings_.format &&
+      allocation.compare == settings_.bilinear)
     return true;
-  room = {};  // what the student's function throws or OpenGL refuses must not be taken for good later
-  Room made{.names = make_cube_map(gl, edge_, settings_.format, settings_.bilinear),
-            .edge = edge_,
-            .format = settings_.format,
-            .compare = settings_.bilinear};
-  made.texture = GlTexture(gl, made.names.texture);
-  made.framebuffer = GlFramebuffer(gl, made.names.framebuffer);
+  allocation = {};  // reset first, in case the student's function throws or OpenGL reports an error
+  Allocation created{.names = make_cube_map(gl, edge_, settings_.format, settings_.bilinear),
+                     .edge = edge_,
+                     .format = settings_.format,
+                     .compare = settings_.bilinear};
+  created.texture = GlTexture(gl, created.names.texture);
+  created.framebuffer = GlFramebuffer(gl, created.names.framebuffer);
   check_gl_error(gl, fmt::format("make_cube_map: six faces of {0}x{0} texels", edge_).c_str());
   const std::string name = name_of(lights_, cubes_[cube].light, "shadow cube");
-  label(gl, GL_TEXTURE, made.texture.id(), name);
-  label(gl, GL_FRAMEBUFFER, made.framebuffer.id(), name);
-  room = std::move(made);
+  label(gl, GL_TEXTURE, created.texture.id(), name);
+  label(gl, GL_FRAMEBUFFER, created.framebuffer.id(), name);
+  allocation = std::move(created);
   cubes_[cube].drawn = false;
-  return room.made();
+  return allocation.is_allocated();
 }
 
 namespace {
 
-/// The cube pass, in the form that a geometry shader spreads over all faces, or for one face at a time.
+/// The cube pass, either layered by a geometry shader or for one face at a time.
 PassSources cube_pass(bool layered) {
   const std::string include = "#include \"04-point-shadows/cube_pass.glsl\"\n";
   PassSources pass{.name = "cube pass"};
@@ -164,7 +166,7 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& pa
   static const PassSources all_at_once = cube_pass(true), one_by_one = cube_pass(false);
   Cubed& cube = cubes_[index];
   const DebugGroup group(gl, name_of(lights_, cube.light, "shadow cube"));
-  const CubeMap& names = rooms_[index].names;
+  const CubeMap& names = allocations_[index].names;
   std::array<glm::mat4, 6> matrices;
   for (int face = 0; face < 6; ++face)
     matrices[std::size_t(face)] = face_projection(cube.near, cube.far) * face_view(cube.position, face);
@@ -183,7 +185,7 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& pa
     });
   } else {
     for (std::size_t face = 0; face < 6; ++face) {
-      if (cube.seen[face].empty()) continue;  // cleared above with all others
+      if (cube.seen[face].empty()) continue;  // already cleared above
       begin_cube_pass(gl, names, int(face), settings_.culls_front_faces());
       painter.paint(one_by_one, cube.seen[face], [&](Binder& binder) {
         bind_light(binder);
@@ -192,7 +194,7 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& pa
     }
   }
   check_gl_error(gl, "drawing a cube of shadow maps");
-  cube.drawn = settings_.keep;  // else only what this frame's picture asks
+  cube.drawn = settings_.keep;  // otherwise only what this frame needs is drawn
 }
 
 void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
@@ -202,7 +204,7 @@ void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoi
   const bool keep = settings_.keep;
   if (!found_ || !keep || viewpoint.view.camera_relative) find_cubes(scene, viewpoint, painter);
   for (std::size_t i = 0; i < cubes_.size(); ++i) {
-    if (!make_room(gl, i)) continue;
+    if (!allocate(gl, i)) continue;
     if (!keep || !cubes_[i].drawn) draw_cube(gl, i, painter);
   }
   if (Defines now = structure(); now != structure_) {
@@ -213,7 +215,7 @@ void PointShadowedSurface::draw_before(Gl& gl, const Scene& scene, const Viewpoi
 
 namespace {
 
-/// Three columns, two rows: +x -x +y above, -y +z -z below, each as it is stored, first row at the bottom.
+/// Three columns, two rows: +x -x +y above, -y +z -z below, each unmodified, first row at the bottom.
 constexpr const char* six_faces = R"(uniform samplerCube u_map; uniform vec2 u_size; out vec4 o;
 void main() {
   vec2 place = gl_FragCoord.xy / u_size * vec2(3.0, 2.0);
@@ -233,15 +235,15 @@ PointShadowedSurface::PointShadowedSurface(const DrawnLights& lights, const Fram
 bool PointShadowedSurface::draw_instead(Gl& gl, const View& view, const Target& target) {
   const int cube = cube_of(settings_.shown_light);
   if (view.output != "shadow_map" || cube < 0) return false;
-  showing_cube_.draw(gl, target, rooms_[std::size_t(cube)].texture.id());
+  showing_cube_.draw(gl, target, allocations_[std::size_t(cube)].texture.id());
   return true;
 }
 
-// ---- Looking them up
+// ---- Sampling them
 
 int PointShadowedSurface::cube_of(int light) const {
-  for (std::size_t i = 0; i < cubes_.size() && i < rooms_.size(); ++i)
-    if (cubes_[i].light == light && rooms_[i].made()) return int(i);
+  for (std::size_t i = 0; i < cubes_.size() && i < allocations_.size(); ++i)
+    if (cubes_[i].light == light && allocations_[i].is_allocated()) return int(i);
   return -1;
 }
 
@@ -249,7 +251,7 @@ bool PointShadowedSurface::any_cube() const {
   return std::ranges::any_of(cubes_, [this](const Cubed& cube) { return cube_of(cube.light) >= 0; });
 }
 
-/// Of surfaces that receive shadows. SHOWN_CUBE is read by the outputs of shadows alone.
+/// The #defines of surfaces that receive shadows. Only the shadow outputs use SHOWN_CUBE.
 Defines PointShadowedSurface::structure() const {
   Defines d = filter_structure(settings_);
   d["CUBES"] = std::to_string(any_cube() ? cubes_.size() : 0);
@@ -259,7 +261,7 @@ Defines PointShadowedSurface::structure() const {
 }
 
 Need PointShadowedSurface::need(const Scene&, const View& view, const Node& node) const {
-  // Of a light that has no cube step 03 shows what there is.
+  // Step 03 shows the output of a light without a cube.
   const bool alone = shows_shadows_alone(view);
   const bool wanted = alone ? cube_of(settings_.shown_light) >= 0 : any_cube() && node.receives_shadow;
   if (!shows_shadows(view) || !wanted) return {};
@@ -292,8 +294,8 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoi
     binder.set(name + "position", cubes_[i].position);
     binder.set(name + "far", cubes_[i].far);
     binder.set(name + "cube", int(i));
-    if (i < rooms_.size() && rooms_[i].made())
-      binder.texture(fmt::format("u_cube_{}", i), rooms_[i].texture.id(), GL_TEXTURE_CUBE_MAP);
+    if (i < allocations_.size() && allocations_[i].is_allocated())
+      binder.texture(fmt::format("u_cube_{}", i), allocations_[i].texture.id(), GL_TEXTURE_CUBE_MAP);
   }
 }
 

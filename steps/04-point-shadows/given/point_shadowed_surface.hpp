@@ -1,5 +1,5 @@
-// Cubes of shadow maps, as a feature of the renderer, beside step 03's maps: which lights get one, and when it is
-// drawn. Given.
+// Cube shadow maps, as a feature of the renderer, beside step 03's maps: which lights have one, and when it is drawn.
+// Given.
 #pragma once
 
 #include "03-shadow-mapping/given/shadowed_surface.hpp"
@@ -12,8 +12,8 @@ std::vector<SettingSpec> cube_settings();
 
 class PointShadowedSurface : public Feature {
  public:
-  /// `lights` says which lights shine, `maps` which of them have a map already; both must outlive this. Stands behind
-  /// ShadowedSurface among a renderer's features.
+  /// `lights` are the active lights, `maps` says which of them already have a map; both must outlive this. Must follow
+  /// ShadowedSurface in the list of features.
   PointShadowedSurface(const DrawnLights& lights, const FrameMaps& maps);
 
   void configure(const Settings& settings) override;
@@ -30,32 +30,32 @@ class PointShadowedSurface : public Feature {
   void count(SceneCounts& counts) const override;
 
  private:
-  static constexpr int most_cubes = 4;  ///< as cubes.glsl has it
+  static constexpr int most_cubes = 4;  ///< as in cubes.glsl
   /// A point light with a cube.
   struct Cubed {
     int light = 0;             ///< index into Scene::lights
-    glm::vec3 position{0};     ///< in the space that shaders call world
-    float near = 0, far = 1;   ///< metres: of the faces' projections; far is what the stored distances are shares of
-    std::vector<int> casters;  ///< items of the painter that some face sees
-    std::array<std::vector<int>, 6> seen;  ///< of these, those that each face sees
+    glm::vec3 position{0};     ///< in the shaders' world space
+    float near = 0, far = 1;   ///< planes of the faces' projections, metres; stored distances are fractions of far
+    std::vector<int> casters;  ///< the painter's items that any face sees
+    std::array<std::vector<int>, 6> seen;  ///< those that each face sees
     bool drawn = false;
   };
   /// The objects of a cube, kept from frame to frame.
-  struct Room {
+  struct Allocation {
     point_shadows::CubeMap names;
     GlTexture texture;
     GlFramebuffer framebuffer;
-    int edge = 0;  ///< what was asked for: `names` is what a student's function says
+    int edge = 0;  ///< the requested edge, texels; `names` is the student's result
     GLenum format = 0;
     bool compare = false;
-    bool made() const { return texture && framebuffer; }  ///< false where make_cube_map is not written yet
+    bool is_allocated() const { return texture && framebuffer; }  ///< false if make_cube_map is not written yet
   };
 
   std::optional<Cubed> cube_for(const Scene& scene, int light, const Viewpoint& viewpoint,
                                 const ScenePainter& painter) const;
-  bool is_looked_up(const glm::mat4& face) const;
+  bool is_sampled(const glm::mat4& face) const;
   void find_cubes(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter);
-  bool make_room(Gl& gl, std::size_t cube);
+  bool allocate(Gl& gl, std::size_t cube);
   void draw_cube(Gl& gl, std::size_t cube, ScenePainter& painter);
   int cube_of(int light) const;
   bool any_cube() const;
@@ -67,10 +67,10 @@ class PointShadowedSurface : public Feature {
   int edge_ = 512;           ///< texels
   bool layered_ = true, every_face_ = false;
   std::vector<Cubed> cubes_;
-  bool found_ = false;  ///< whether cubes_ is right for scene and settings
-  bool shown_ = false;  ///< whether shaders of the last frame read the cubes
+  bool found_ = false;  ///< whether cubes_ is valid for scene and settings
+  bool shown_ = false;  ///< whether shaders of the last frame sample the cubes
   Defines structure_;   ///< of surfaces that receive shadows, in the last frame
-  std::vector<Room> rooms_;
+  std::vector<Allocation> allocations_;
   MapPicture showing_cube_;  ///< six faces side by side
 };
 

@@ -14,8 +14,8 @@ namespace atelier {
 
 namespace {
 
-/// A lamp in a cage in the middle of a room: each wall, floor and ceiling gets its own shadows, and the cage's edges
-/// cross those of the cube.
+/// A point light in a cage in the middle of a room: each wall, floor and ceiling gets its own shadows, and the cage's
+/// bars cross the cube's edges.
 Scene lantern(const Settings& settings) {
   Scene scene{.name = "lantern"};
   scene.ambient = glm::vec3(0.07f);
@@ -53,7 +53,7 @@ Scene lantern(const Settings& settings) {
   return scene;
 }
 
-/// Boxes of many sizes in a room, under one lamp that hangs off its middle.
+/// Boxes of many sizes in a room, with one point light off its centre.
 Scene crates() {
   Scene scene{.name = "crates"};
   scene.ambient = glm::vec3(0.06f);
@@ -83,7 +83,7 @@ Scene crates() {
   return scene;
 }
 
-/// A lamp high over a still life: all that casts a shadow fits one cone.
+/// A point light high above a still life: all casters fit into one cone.
 Scene desk() {
   Scene scene{.name = "desk"};
   scene.ambient = glm::vec3(0.07f);
@@ -102,8 +102,8 @@ Scene desk() {
   return scene;
 }
 
-/// Everything at its edge: a lamp on the floor, one within a closed box, one among things that cast nothing, one that
-/// sees casters on one side only.
+/// Extreme inputs: a point light on the floor, one inside a closed box, one among objects that cast no shadow, one with
+/// casters on only one side.
 Scene touching() {
   Scene scene{.name = "touching"};
   scene.ambient = glm::vec3(0.08f);

@@ -1,4 +1,4 @@
-// The scenes of step 04: each built so that one property of shadows all round can be seen in it. Given.
+// The scenes of step 04; each shows one property of omnidirectional shadows. Given.
 #pragma once
 
 #include "app/scene_table.hpp"

@@ -13,15 +13,15 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180;
 
-/// A round shadow of `dots`: where it lies beside the middle of the picture and how large it is, degrees.
+/// A round shadow of `dots`: its offset from the picture's centre and its size, degrees.
 struct Dot {
   double aside, up, radius;
 };
 
 constexpr int dots_a_side = 6;
 
-/// Rows of dots, each moved and sized by fractions of the golden ratio's and sqrt(2)'s multiples: so that no two meet
-/// the grid of texels alike, and none touches another.
+/// Rows of dots, with offsets and sizes from the fractional parts of multiples of the golden ratio and sqrt(2), so that
+/// no two have the same position relative to the texel grid, and none touch.
 Dot dot(int index) {
   const auto fraction = [](double x) { return x - std::floor(x); };
   constexpr double spacing = 3.6;
@@ -31,7 +31,7 @@ Dot dot(int index) {
   return {.aside = spacing * column + 0.6 * (a - 0.5), .up = spacing * row + 0.6 * (b - 0.5), .radius = 1 + 0.4 * a};
 }
 
-/// The unit vector towards a dot, where -z is ahead.
+/// The unit vector towards a dot; -z is ahead.
 glm::dvec3 towards(const Dot& dot) {
   const double x = std::tan(dot.aside * radians_per_degree), y = std::tan(dot.up * radians_per_degree);
   return glm::normalize(glm::dvec3(x, y, -1));
@@ -81,8 +81,8 @@ Scene dots(const Settings& settings) {
 
 namespace {
 
-/// The room of bare_walls(); returns the group in which things stand askew, the lamp at its origin. The walls do not
-/// meet: where they did, a texel would hold one of them and be asked about the other, which no bias is made for.
+/// The room of bare_walls(); returns the rotated group node, with the point light at its origin. The walls do not
+/// touch: at a common edge a texel could store one wall and be compared with the other, which no bias covers.
 int add_askew_walls(Scene& scene) {
   scene.ambient = glm::vec3(0.05f);
   const int paint = add_material(scene, {.name = "paint", .diffuse = glm::vec3(0.7f)});
@@ -118,7 +118,7 @@ Scene boards() {
     glm::vec3 axis;
     double turn;
   };
-  // Four on the floor, y = -0.6, and two on a wall, x = -3.4: each with its foot on it.
+  // Four on the floor, y = -0.6, and two on a wall, x = -3.4: each with its base on it.
   for (const Board& b : {Board{{-1.2, -0.35, 0.9}, {0, 1, 0}, 60},
                          {{1.1, -0.35, -1.3}, {0, 1, 0}, -35},
                          {{-0.9, -0.35, -2.1}, {0, 1, 0}, 15},

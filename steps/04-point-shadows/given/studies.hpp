@@ -1,5 +1,4 @@
-// Scenes made to be measured rather than looked at: each shows one property of a cube of distances, and as little else
-// as can be. Given.
+// Scenes for measurements: each isolates one property of a cube shadow map. Given.
 #pragma once
 
 #include "case/settings.hpp"
@@ -10,19 +9,19 @@ namespace atelier {
 /// The settings of the scene `dots`.
 std::vector<SettingSpec> study_settings();
 
-/// Balls around a lamp throw round shadows onto a plate, and the camera stands in the lamp itself, looking past the
-/// balls (they are before its near plane): the picture shows directions, 24 degrees up and across, and the shadows'
-/// edges are as long and as far away wherever it points. `study.angle` turns all of it away from the middle of the face
-/// -z, `study.towards` an edge of the cube (45 degrees away) or a corner (54.7). Plate and balls turn with the camera,
-/// the cube does not.
+/// Balls around a point light cast round shadows onto a plate. The camera is at the light and does not see the balls,
+/// which are in front of its near plane. So the picture shows directions, 24 degrees high and wide, and the shadow
+/// edges have the same length and distance for any view direction. `study.angle` rotates all of it away from the centre
+/// of the face -z, towards an edge of the cube (45 degrees away) or a corner (54.7), by `study.towards`. Plate and
+/// balls rotate with the camera, the cube does not.
 Scene dots(const Settings& settings);
 
-/// A lamp among six walls that stand askew to its cube and do not meet: light meets them at all angles to 83 degrees,
-/// and there is not one shadow on them.
+/// A point light among six walls that are rotated against its cube and do not touch: incidence angles are 0 to 83
+/// degrees, and there are no shadows.
 Scene bare_walls();
 
-/// The same with thin boards on the floor and on the walls, which light passes through where a bias is wider than they
-/// are.
+/// The same with thin boards on the floor and on the walls; light leaks through them if the bias is larger than their
+/// thickness.
 Scene boards();
 
 }  // namespace atelier

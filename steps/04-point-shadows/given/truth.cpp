@@ -12,41 +12,39 @@ namespace atelier {
 
 namespace {
 
-/// The point light that the outputs are about.
-const Light* shown_lamp(const Scene& scene, const Settings& settings) {
+/// The point light of the shadow outputs.
+const Light* shown_point_light(const Scene& scene, const Settings& settings) {
   const auto index = std::size_t(settings.integer("shadow.light"));
   if (index >= scene.lights.size() || scene.lights[index].type != LightType::point) return nullptr;
   return &scene.lights[index];
 }
 
-/// The distance that a light's cube stores as 1: 1.001 times that of the farthest corner of a caster's box. 0 where
-/// nothing casts.
-double farthest_distance(const Scene& scene, const glm::dvec3& lamp) {
+/// The distance that a light's cube stores as 1: 1.001 times that of the farthest corner of a caster's box. 0 without
+/// casters.
+double farthest_distance(const Scene& scene, const glm::dvec3& light) {
   double farthest = 0;
   for (const glm::dvec3& corner : caster_corners_exact(scene))
-    farthest = std::max(farthest, glm::distance(corner, lamp));
+    farthest = std::max(farthest, glm::distance(corner, light));
   return 1.001 * farthest;
 }
 
 /// What a pixel shows instead of light.
-oracle::SurfaceColour numbers_for(const TruthRequest& request, const Settings& settings, const Light& lamp,
+oracle::SurfaceColour numbers_for(const TruthRequest& request, const Settings& settings, const Light& light,
                                   const SceneTruth& truth) {
   if (request.output == "shadow_factor")
-    return [lamp, shading = truth.shading](const oracle::World& world, const oracle::SurfacePoint& point,
-                                           const glm::dvec3&) {
-      return glm::dvec3(oracle::visibility(world, point, lamp, shading));
+    return [light, shading = truth.shading](const oracle::World& world, const oracle::SurfacePoint& point,
+                                            const glm::dvec3&) {
+      return glm::dvec3(oracle::visibility(world, point, light, shading));
     };
   if (request.output == "shadow_map")
-    throw Error(
-        "output 'shadow_map' of a point light has no ground truth: six pictures in one are no picture of a camera");
+    throw Error("output 'shadow_map' of a point light has no ground truth: no camera shows six faces in one picture");
   if (settings.choice("cube.instead") != "never")
     throw Error(
-        "output 'shadow_coordinate' of a point light has no ground truth under cube.instead=cone: whether one map "
-        "serves is "
-        "for your cone_around to say; cube.instead=never has one");
-  const double far = farthest_distance(truth.scene, lamp.position);
-  return [far, lamp](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3&) {
-    return far > 0 && point.receives_shadow ? (point.position - lamp.position) / far : glm::dvec3(0);
+        "output 'shadow_coordinate' of a point light has no ground truth for cube.instead=cone, which depends on your "
+        "cone_around; use cube.instead=never");
+  const double far = farthest_distance(truth.scene, light.position);
+  return [far, light](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3&) {
+    return far > 0 && point.receives_shadow ? (point.position - light.position) / far : glm::dvec3(0);
   };
 }
 
@@ -57,11 +55,11 @@ SceneTruth point_shadow_truth(const TruthRequest& request, const Settings& setti
   if (!request.output.starts_with("shadow_")) return shadow_truth(request, settings, std::move(model));
   TruthRequest lit = request;
   lit.output = "colour";
-  SceneTruth truth = shadow_truth(lit, settings, model);  // of the lights that shine: light.count may leave some out
-  const Light* lamp = shown_lamp(truth.scene, settings);
-  if (!lamp) return shadow_truth(request, settings, std::move(model));
-  truth.shading.surface = numbers_for(request, settings, Light(*lamp), truth);
-  truth.scene.background = glm::vec3(0);  // no number where nothing is seen
+  SceneTruth truth = shadow_truth(lit, settings, model);  // of the active lights: light.count may disable some
+  const Light* light = shown_point_light(truth.scene, settings);
+  if (!light) return shadow_truth(request, settings, std::move(model));
+  truth.shading.surface = numbers_for(request, settings, Light(*light), truth);
+  truth.scene.background = glm::vec3(0);  // the background has no value
   truth.output = "colour";
   return truth;
 }

@@ -85,27 +85,27 @@ void add_normal_rows(Table& table) {
                   return difference(first_normal({{0, 0, 0}, {size, 0, 0}, {0, size, 0}}), {0, 0, 1});
                 });
 
-  Group mend = table.of("mend_normals");
-  mend.equals("zero, NaN and infinite normals are replaced",
-              [] {
-                Mesh mesh;
-                for (const glm::vec3& n : {glm::vec3(0), glm::vec3(not_a_number), glm::vec3(infinite)})
-                  mesh.vertices.push_back({{}, n, {}});
-                mesh.vertices[1].position = {1, 0, 0}, mesh.vertices[2].position = {0, 1, 0};
-                mesh.indices = {0, 1, 2};
-                Values out = {double(scene_import::mend_normals(mesh))};
-                for (const Vertex& v : mesh.vertices) {
-                  const Values n = values(v.normal);
-                  out.insert(out.end(), n.begin(), n.end());
-                }
-                return out;
-              },
-              {3, 0, 0, 1, 0, 0, 1, 0, 0, 1});
-  mend.close("normals 1e-5 and 1e15 long become unit vectors", {4 * rounding_unit, "absolute", "a normalisation"}, [] {
+  Group fix = table.of("fix_normals");
+  fix.equals("zero, NaN and infinite normals are replaced",
+             [] {
+               Mesh mesh;
+               for (const glm::vec3& n : {glm::vec3(0), glm::vec3(not_a_number), glm::vec3(infinite)})
+                 mesh.vertices.push_back({{}, n, {}});
+               mesh.vertices[1].position = {1, 0, 0}, mesh.vertices[2].position = {0, 1, 0};
+               mesh.indices = {0, 1, 2};
+               Values out = {double(scene_import::fix_normals(mesh))};
+               for (const Vertex& v : mesh.vertices) {
+                 const Values n = values(v.normal);
+                 out.insert(out.end(), n.begin(), n.end());
+               }
+               return out;
+             },
+             {3, 0, 0, 1, 0, 0, 1, 0, 0, 1});
+  fix.close("normals 1e-5 and 1e15 long become unit vectors", {4 * rounding_unit, "absolute", "a normalisation"}, [] {
     Mesh mesh;
     for (const float size : {1e-5f, 1.0f, 1e15f}) mesh.vertices.push_back({{size, 1, 0}, glm::vec3(0, 0, size), {}});
     mesh.indices = {0, 1, 2};
-    scene_import::mend_normals(mesh);
+    scene_import::fix_normals(mesh);
     double worst = 0;
     for (const Vertex& v : mesh.vertices) worst = std::max(worst, difference(values(v.normal), {0, 0, 1}));
     return worst;

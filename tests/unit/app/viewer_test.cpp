@@ -219,7 +219,7 @@ TEST_CASE("what a student's code throws is shown, and the last good picture stay
   } rows[] = {
       {"an error", [] { throw Error("the light is out"); }, "the light is out"},
       {"a standard exception", [] { throw std::out_of_range("vector::at"); }, "vector::at"},
-      {"a number", [] { throw 3; }, "no std::exception"},
+      {"a number", [] { throw 3; }, "not a std::exception"},
       {"nothing to say", [] { throw std::runtime_error(""); }, "without a message"},
   };
   for (const auto& row : rows) {
@@ -423,8 +423,8 @@ TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[p
     gl.Clear(GL_COLOR_BUFFER_BIT);
     gl.restart_counts();
     presenter.draw(source, row.encoding, {{0, 0}, {2, 3}});
-    CHECK(gl.groups() == std::vector<GlGroup>{
-                             {.depth = 0, .name = "picture to window", .passes = 1, .draws = 1, .triangles = 1}});
+    CHECK(gl.groups() ==
+          std::vector<GlGroup>{{.depth = 0, .name = "picture to window", .passes = 1, .draws = 1, .triangles = 1}});
     const Image shown = read_framebuffer(gl, {3, 3});
     // A driver's pow is good to some 1e-4: a tenth of a step of 8 bits.
     CHECK(shown.at(0, 0).r == Approx(row.shown.r).margin(4e-4));

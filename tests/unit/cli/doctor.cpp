@@ -46,10 +46,10 @@ TEST_CASE("The launcher's findings are read") {
       "lack\tninja\tnot found");
   REQUIRE(findings.size() == 3);
   CHECK(findings[0].state == State::good);
-  CHECK(findings[0].mend.empty());
+  CHECK(findings[0].fix.empty());
   CHECK(findings[1].subject == "packages");
   CHECK(findings[1].words == "useful: git");
-  CHECK(findings[1].mend == "apt-get install git");
+  CHECK(findings[1].fix == "apt-get install git");
   CHECK(findings[2].state == State::lack);
   CHECK(parse_findings("").empty());
   for (const char* wrong : {"bad\tcmake\t3.25.1\t", "good", "good\tcmake", "\n"}) {
@@ -65,15 +65,15 @@ TEST_CASE("One lack decides the status, and notes do not") {
   CHECK(status_of({good, lack, note}) == exit_failed);
 }
 
-TEST_CASE("Findings are printed with what mends them") {
+TEST_CASE("Findings are printed with the command that fixes them") {
   const std::vector<Finding> findings = {{State::good, "cmake", "3.25.1", ""},
                                          {State::lack, "ninja", "not \"found\"", "apt-get install ninja-build"}};
   CHECK(to_text(findings) ==
         "✓ cmake      3.25.1\n"
         "✗ ninja      not \"found\"\n"
-        "             mend it: apt-get install ninja-build\n"
+        "             fix: apt-get install ninja-build\n"
         "\nSomething that is needed is missing: see the lines with ✗.\n");
-  CHECK(mentions(to_text({findings[0]}), {"All that is needed is here."}));
+  CHECK(mentions(to_text({findings[0]}), {"Everything needed is installed."}));
 
   const auto json = nlohmann::json::parse(to_json(findings));
   CHECK(json["ok"] == false);
@@ -106,7 +106,7 @@ TEST_CASE("A trial that comes to a bad end says which") {
       {"crashed", {.exit_status = -1, .signal = SIGSEGV, .output = said}, "SIGSEGV"},
       {"refused", {.exit_status = 2, .output = "chatter\nerror: OSMesa is not installed\n"}, "OSMesa is not installed"},
       {"ended", {.exit_status = 127, .output = "cannot open shared object file"}, "status 127"},
-      {"silent", {.output = "chatter"}, "said nothing"},
+      {"silent", {.output = "chatter"}, "printed nothing"},
   };
   for (const Row& row : rows) {
     INFO(row.name);
@@ -126,7 +126,7 @@ TEST_CASE("One kind of context is enough, and none is a lack") {
   const ContextTrial none = failing("not installed");
   const ContextTrial gpu = working("egl", "Mesa Intel(R) UHD Graphics 620");
   const Row rows[] = {
-      {"all but a window", usual(), State::good, {"osmesa", "llvmpipe", "as the references"}},
+      {"all but a window", usual(), State::good, {"osmesa", "llvmpipe", "like the references"}},
       {"EGL alone", {none, working("egl"), none, working("egl")}, State::good, {"egl"}},
       {"a GPU alone", {none, gpu, none, gpu}, State::note, {"Intel", "edges", "grader"}},
       {"nothing", {none, none, none, none}, State::lack, {"OpenGL 3.3"}},
@@ -140,10 +140,10 @@ TEST_CASE("One kind of context is enough, and none is a lack") {
   }
 }
 
-TEST_CASE("A missing driver is mended by the packages of the system at hand") {
+TEST_CASE("A missing driver is fixed by the packages of the system at hand") {
   const ContextTrials nothing{failing("a"), failing("b"), failing("c"), failing("d")};
   struct Row {
-    const char *install, *mend;
+    const char *install, *fix;
   };
   const Row rows[] = {
       {apt, "sudo apt-get install --no-install-recommends libegl1 libegl-mesa0 libgl1-mesa-dri"},
@@ -151,7 +151,7 @@ TEST_CASE("A missing driver is mended by the packages of the system at hand") {
       {"pacman -S --needed", "pacman -S --needed mesa"},
       {"", ""},
   };
-  for (const Row& row : rows) CHECK(about(context_findings(nothing, row.install), "judge").mend == row.mend);
+  for (const Row& row : rows) CHECK(about(context_findings(nothing, row.install), "judge").fix == row.fix);
 }
 
 TEST_CASE("A window's scale is told where there is a window") {
@@ -170,7 +170,7 @@ TEST_CASE("Displays are named, and none is no lack") {
   CHECK(display_finding(":0\033[2J", "").words.find('\033') == std::string::npos);
 }
 
-TEST_CASE("Where the system does not tell of a saved file, doctor says what happens instead") {
+TEST_CASE("If the system does not report saved files, doctor says what happens instead") {
   CHECK(watching_finding(true).state == State::good);
   CHECK(watching_finding(false).state == State::note);
   CHECK(mentions(watching_finding(false).words, {"200 ms"}));
@@ -182,7 +182,7 @@ TEST_CASE("A sandbox that cannot start says what forbids it") {
     SandboxTrial trial;
     State state;
     std::initializer_list<std::string_view> says;
-    const char* mend;
+    const char* fix;
   };
   const std::initializer_list<std::string_view> strangers = {"limits of time alone", "container or virtual machine"};
   const Row rows[] = {
@@ -203,9 +203,9 @@ TEST_CASE("A sandbox that cannot start says what forbids it") {
     const Finding finding = sandbox_finding(row.trial, apt);
     CHECK(finding.state == row.state);
     CHECK(mentions(finding.words, row.says));
-    CHECK(finding.mend == row.mend);
+    CHECK(finding.fix == row.fix);
   }
-  CHECK(sandbox_finding({}, "").mend.empty());
+  CHECK(sandbox_finding({}, "").fix.empty());
 }
 
 TEST_CASE("Steps that run are told in one line, each other one in its own") {
@@ -221,9 +221,9 @@ TEST_CASE("Steps that run are told in one line, each other one in its own") {
   CHECK(mentions(findings[0].words, {"00-hello, 01-transforms can be checked", "not run in a window"}));
   CHECK(findings[1].state == State::lack);
   CHECK(mentions(findings[1].words, {"02-blinn-phong is not built"}));
-  CHECK(findings[1].mend == "./atelier list");
+  CHECK(findings[1].fix == "./atelier list");
   CHECK(mentions(findings[2].words, {"03-shadow-mapping does not start", "no such file"}));
-  CHECK(findings[2].mend == "rm -r '/b' && ./atelier list");
+  CHECK(findings[2].fix == "rm -r '/b' && ./atelier list");
 
   ContextTrials nothing;
   nothing.headless = failing("none");

@@ -41,11 +41,11 @@ TEST_CASE("broken marks are refused with their line") {
       {"not open", "a;\n// <<< student\n", "x.cpp:2", "not open"},
       {"nested", "// >>> student: s\n// >>> student: t\n// <<< student\n", "x.cpp:2", "line 1"},
       {"no task", "// >>> student:\n// <<< student\n", "x.cpp:1", "task is missing"},
-      {"misspelt open", "// >>> Student: t\n", "x.cpp:1", "is no mark"},
-      {"misspelt close", "// >>> student: t\nb;\n// <<< students\n", "x.cpp:3", "is no mark"},
-      {"stand-in outside", "// --- skeleton\n", "x.cpp:1", "is no mark"},
+      {"misspelt open", "// >>> Student: t\n", "x.cpp:1", "is not a mark"},
+      {"misspelt close", "// >>> student: t\nb;\n// <<< students\n", "x.cpp:3", "is not a mark"},
+      {"stand-in outside", "// --- skeleton\n", "x.cpp:1", "is not a mark"},
       {"stand-in twice", "// >>> student: t\n// --- skeleton\n// --- skeleton\n// <<< student\n", "x.cpp:3",
-       "is no mark"},
+       "is not a mark"},
       {"code in the stand-in", "// >>> student: t\n// --- skeleton\nreturn;\n// <<< student\n", "x.cpp:3", "// |"},
   };
   for (const Row& row : rows) {

@@ -58,7 +58,7 @@ TEST_CASE("names that cannot be a step's are refused with what is allowed") {
       {"13-fog/../x", "", "NN-name"},
       {"13-a-name-that-goes-on-and-on-and-on", "", "at most 32"},
       {"02-fog", "", "03 or more"},
-      {"13-new", "", "word of C++"},
+      {"13-new", "", "reserved name"},
       {"13-fog", "a | b", "--title"},
       {"13-fog", "say \"fog\"", "--title"},
       {"13-fog", "two\nlines", "--title"},

@@ -87,7 +87,7 @@ TEST_CASE("An empty shader, a type that does not exist and a broken define are r
   });
 }
 
-TEST_CASE("Stages that do not fit together are named") {
+TEST_CASE("Stages that do not link are named") {
   on_every_context([](Gl& gl) {
     const std::string message = error_of([&] {
       build_program(gl, shader_text("out vec3 v_a;\n" + corner, "surface vertex shader"),

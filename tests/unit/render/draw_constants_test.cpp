@@ -117,7 +117,7 @@ TEST_CASE("of constants each is taken in its turn if there is room for all of it
 
 TEST_CASE("constants are packed without gaps", "[draw_constants]") {
   const std::vector<DrawConstant> constants = {{"vec3", "u_a"}, {"bool", "u_b"}, {"int", "u_c"}};
-  const HandingOver glsl = hand_over(constants, {}, "\nuniform vec3 u_a;\n");
+  const PassedConstants glsl = pass_as_varyings(constants, {}, "\nuniform vec3 u_a;\n");
   CHECK(glsl.vertex_declarations == "uniform bool u_b;\nuniform int u_c;\nflat out vec4 v_constants[2];\n");
   CHECK(glsl.fragment_declarations == "flat in vec4 v_constants[2];\n");
   CHECK(glsl.vertex_statements.ends_with("v_constants[0][3] = float(u_b);\n  v_constants[1][0] = float(u_c);\n"));
@@ -126,7 +126,7 @@ TEST_CASE("constants are packed without gaps", "[draw_constants]") {
   CHECK(fragment.text ==
         "\nvec3 u_a = vec3(v_constants[0][0], v_constants[0][1], v_constants[0][2]);\n"
         "bool u_b = bool(v_constants[0][3]); // b\nint u_c = int(v_constants[1][0]);\n");
-  const HandingOver nothing = hand_over({}, {}, "");
+  const PassedConstants nothing = pass_as_varyings({}, {}, "");
   CHECK(nothing.vertex_declarations + nothing.fragment_declarations == "");
 }
 

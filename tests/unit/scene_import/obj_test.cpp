@@ -180,7 +180,7 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
   };
   const Row table[] = {
       {"empty", "", {"empty"}},
-      {"nothing but comments", "# nothing\n", {"not one triangle"}},
+      {"nothing but comments", "# nothing\n", {"no triangles to draw"}},
       {"vertex out of range", square + "f 1 2 9\n", {":5: vertex 9 of 4"}},
       {"vertex zero", square + "f 0 1 2\n", {":5: vertex 0 of 4"}},
       {"vertex before the first", square + "f -5 1 2\n", {"vertex -5 of 4"}},
@@ -189,14 +189,14 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
       {"normal out of range", square + "f 1//1 2//1 3//1\n", {"normal 1 of 0"}},
       {"texture coordinate out of range", square + "f 1/2 2/2 3/2\n", {"texture coordinate 2 of 0"}},
       {"two coordinates", "v 1 2\n", {":1: a vertex needs three"}},
-      {"coordinate of letters", "v 1 2 three\n", {":1: 'three' is no number"}},
+      {"coordinate of letters", "v 1 2 three\n", {":1: 'three' is not a number"}},
       {"coordinate with a tail", "v 1 2 3x\n", {"'3x'"}},
       {"not a number", "v 0 nan 0\n", {"not finite"}},
       {"endless", "v 0 0 -inf\n", {"not finite"}},
       {"beyond floats", "v 0 1e39 0\n", {"not finite"}},
       {"beyond doubles", "v 0 1e999 0\n", {"not finite"}},
       {"UTF-16", std::string("\xff\xfev\0 \0", 6), {"UTF-16"}},
-      {"bytes of zero", std::string("v 0\0 0 0\n", 9), {"no text file"}},
+      {"bytes of zero", std::string("v 0\0 0 0\n", 9), {"not a text file"}},
   };
   for (const Row& row : table) {
     INFO(row.name);
