@@ -125,9 +125,10 @@ int run_mistake(const MistakeOptions& options);
 struct MutateOptions {
   std::vector<std::string> steps;
   std::uint64_t seed = 1;
-  int count = 150;          ///< of mutants that build, or of variants, a step
-  bool preserving = false;  ///< other forms of the same meaning, which must keep all points
-  bool last_bits = false;   ///< earlier steps' results moved by a unit in the last place: all points must stay
+  int count = 150;          ///< mutants that build, or variants, per step
+  bool preserving = false;  ///< make equivalent code instead, which must keep all points
+  bool last_bits = false;   ///< change earlier steps' results by one unit in the last place; all points must be kept
+
   bool json = false;
 };
 int run_mutate(const MutateOptions& options);

@@ -208,17 +208,17 @@ void describe_stability(Interface& interface, StabilityOptions& options) {
 
 void describe_mutate(Interface& interface, MutateOptions& options) {
   CLI::App* mutate =
-      interface.add("mutate", "Change solutions a little: each change must lose points", options, run_mutate);
+      interface.add("mutate", "Make small changes to solutions; each must lose points", options, run_mutate);
   add_steps(mutate, options.steps);
-  mutate->add_option("--seed", options.seed, "Draws which changes are tried")->capture_default_str();
-  mutate->add_option("--count", options.count, "Changes a step that build")
+  mutate->add_option("--seed", options.seed, "Seed for choosing the changes")->capture_default_str();
+  mutate->add_option("--count", options.count, "Changes that build, per step")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
-  auto* preserving = mutate->add_flag("--preserving", options.preserving,
-                                      "Other forms of the same meaning: each must keep all points");
+  auto* preserving =
+      mutate->add_flag("--preserving", options.preserving, "Make equivalent code instead, which must keep all points");
   mutate
       ->add_flag("--last-bits", options.last_bits,
-                 "Earlier steps' results moved by a unit in the last place: all points must stay")
+                 "Change earlier steps' results by one unit in the last place; all points must be kept")
       ->excludes(preserving);
   add_json(mutate, options.json);
 }
