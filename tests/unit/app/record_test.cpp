@@ -63,13 +63,12 @@ TEST_CASE("a variation says what it cannot run through", "[record]") {
       {"tint.glow", "0,0,0", "1", {"'tint.glow'", "'1'", "R,G,B"}},
       {"tint.glow", "#ffffff", "1,1,1.0", {"--vary tint.glow=#ffffff..1,1,1.0", "the same"}},
       {"tint.brightness", "0,0,0", "1,1,1", {"'tint.brightness'", "'0,0,0'", "0..4"}},
-      {"tint.colour", "red", "blue", {"--vary tint.colour=red..blue", "no numbers"}},
-      {"draw.wireframe", "off", "on", {"--vary draw.wireframe=off..on", "no numbers"}},
+      {"tint.colour", "red", "blue", {"--vary tint.colour=red..blue", "no numeric range"}},
+      {"draw.wireframe", "off", "on", {"--vary draw.wireframe=off..on", "no numeric range"}},
   };
   for (const auto& row : rows) {
     INFO(row.name << '=' << row.from << ".." << row.to);
-    const std::string words =
-        error_of([&] { varied_setting(test::fake_settings(), row.name, row.from, row.to); });
+    const std::string words = error_of([&] { varied_setting(test::fake_settings(), row.name, row.from, row.to); });
     INFO(words);
     CHECK(mentions(words, row.answer));
   }
@@ -94,8 +93,7 @@ TEST_CASE("the camera goes round its target", "[record]") {
 TEST_CASE("a recording draws each of its pictures once, on a fixed clock", "[record]") {
   Studio studio;
   const auto folder = studio.folder.path();
-  const Change brighter =
-      change_of_setting(varied_setting(test::fake_settings(), "tint.brightness", "0.5", "2"));
+  const Change brighter = change_of_setting(varied_setting(test::fake_settings(), "tint.brightness", "0.5", "2"));
   record(*studio.painter, small_picture(), brighter, Encoding::linear, folder / "b.exr", 3);
   CHECK(studio.step.draws == 3);
   CHECK(studio.step.last_time == 2 / 24.0);

@@ -36,7 +36,7 @@ TEST_CASE("a student's file is found by its path, its step or its name") {
   const auto error = [&](const char* text) {
     return error_of([&] { find_student_file(folders, course_of_files, text); });
   };
-  CHECK(mentions(error("common.glsl"), {"say which", "01-move/common.glsl or 02-light/common.glsl"}));
+  CHECK(mentions(error("common.glsl"), {"ambiguous", "01-move/common.glsl or 02-light/common.glsl"}));
   CHECK(mentions(error("mvoe.cpp"), {"mvoe.cpp", "01-move/move.cpp"}));
   CHECK(mentions(error("02/move.cpp"), {"02/move.cpp", "02-light/light.cpp"}));
   CHECK(mentions(error("03/light.cpp"), {"03", "no such step"}));

@@ -268,7 +268,7 @@ TEST_CASE("a view inside another needs a stencil buffer, and 8 bits count to 255
   CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"step 07"}));
   stage.window->functions = nesting();
   stage.window->deepest = 300;
-  CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"255", "8 bits"}));
+  CHECK(mentions(error_of([&] { stage.draw(window_scene()); }), {"255", "8-bit"}));
 }
 
 TEST_CASE("a feature draws whole views into targets of its own before the frame", "[nested]") {

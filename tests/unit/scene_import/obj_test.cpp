@@ -185,7 +185,7 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
       {"vertex zero", square + "f 0 1 2\n", {":5: vertex 0 of 4"}},
       {"vertex before the first", square + "f -5 1 2\n", {"vertex -5 of 4"}},
       {"vertex beyond integers", square + "f 99999999999999999999 1 2\n", {"'99999999999999999999'"}},
-      {"vertex of letters", square + "f a b c\n", {"'a' is no vertex number"}},
+      {"vertex of letters", square + "f a b c\n", {"'a' is not a vertex number"}},
       {"normal out of range", square + "f 1//1 2//1 3//1\n", {"normal 1 of 0"}},
       {"texture coordinate out of range", square + "f 1/2 2/2 3/2\n", {"texture coordinate 2 of 0"}},
       {"two coordinates", "v 1 2\n", {":1: a vertex needs three"}},
