@@ -25,7 +25,7 @@ struct RuledStep {
 };
 
 /// Whether the rules ask for one thing, in these words.
-bool asks(const Lacks& lacks, std::initializer_list<std::string_view> words) {
+bool asks(const Problems& lacks, std::initializer_list<std::string_view> words) {
   return lacks.size() == 1 && mentions(lacks.front(), words);
 }
 
@@ -42,33 +42,33 @@ measure::SweepResult swept(const std::string& name, bool handout) {
 
 TEST_CASE("tests of a step are asked for") {
   RuledStep made;
-  CHECK(lacks_of_tests(made.folders, made.step).empty());  // a release has no tests
+  CHECK(problems_of_tests(made.folders, made.step).empty());  // a release has no tests
   made.put("tests/steps/required_other.cpp", "TEST_CASE(\"x\", \"[required][04-other]\") {}");
   made.put("tests/stability/05-mist/table.cpp", "table.of(\"through_mist_twice\");");
-  const Lacks both = lacks_of_tests(made.folders, made.step);
+  const Problems both = problems_of_tests(made.folders, made.step);
   REQUIRE(both.size() == 2);
   CHECK(mentions(both[0], {"tests/steps/required", "[required][05-mist]"}));
   CHECK(mentions(both[1], {"tests/stability/05-mist/", "through_mist"}));
   made.put("tests/steps/required_mist.cpp", "TEST_CASE(\"x\", \"[required][05-mist]\") {}");
   made.put("tests/stability/05-mist/mist.cpp", "table.of(\"through_mist (GLSL)\");");
-  CHECK(lacks_of_tests(made.folders, made.step).empty());
+  CHECK(problems_of_tests(made.folders, made.step).empty());
 }
 
 TEST_CASE("hints and the words of the handout are asked for") {
   RuledStep made;
   made.put("tests/cases/05-mist/hints.json",
            R"({"schema": 1, "step": "05-mist", "functions": {"through_mist": ["two", "three"]}})");
-  CHECK(asks(lacks_of_cases(made.folders, made.step), {"handouts/05-mist.md is missing"}));
+  CHECK(asks(problems_of_cases(made.folders, made.step), {"handouts/05-mist.md is missing"}));
   made.put("handouts/05-mist.md", "\n| core | 1 | 4 | a |\n");
-  CHECK(asks(lacks_of_cases(made.folders, made.step), {"handouts/05-mist.md", "`hill`"}));
+  CHECK(asks(problems_of_cases(made.folders, made.step), {"handouts/05-mist.md", "`hill`"}));
   made.put("handouts/05-mist.md", "\n| core | 1 | 5 | a |\n`hill`");
-  CHECK(asks(lacks_of_cases(made.folders, made.step), {"handouts/05-mist.md", "| core | HOURS | 4 |"}));
+  CHECK(asks(problems_of_cases(made.folders, made.step), {"handouts/05-mist.md", "| core | HOURS | 4 |"}));
   made.put("handouts/05-mist.md", "\n| core | 1 | 4 | a |\n| further | 1 | 2 | b |\n`hill`");
-  CHECK(asks(lacks_of_cases(made.folders, made.step), {"handouts/05-mist.md", "row of further"}));
+  CHECK(asks(problems_of_cases(made.folders, made.step), {"handouts/05-mist.md", "row of further"}));
   made.put("handouts/05-mist.md", "\n| core | 1 | 4 | a |\n`hill`");
-  CHECK(lacks_of_cases(made.folders, made.step).empty());
+  CHECK(problems_of_cases(made.folders, made.step).empty());
   made.put("tests/cases/05-mist/hints.json", R"({"schema": 1, "step": "05-mist", "functions": {}})");
-  CHECK(asks(lacks_of_cases(made.folders, made.step), {"hints.json", "through_mist"}));
+  CHECK(asks(problems_of_cases(made.folders, made.step), {"hints.json", "through_mist"}));
 }
 
 TEST_CASE("second spellings, variants and words are asked for") {
@@ -83,13 +83,13 @@ TEST_CASE("second spellings, variants and words are asked for") {
     return text.replace(text.find("SPELLING"), 8, spelling);
   };
   made.put("tests/mistakes/05-mist/mistakes.json", with(R"(, "spelling": "thick.other.patch")"));
-  CHECK(asks(lacks_of_mistakes(made.folders, made.step), {"variants.json is missing", "--variant --begin"}));
+  CHECK(asks(problems_of_mistakes(made.folders, made.step), {"variants.json is missing", "--variant --begin"}));
   made.put("tests/variants/05-mist/variants.json", with_entry("", variant_entry("thin"), "variants.json"));
-  CHECK(asks(lacks_of_mistakes(made.folders, made.step), {"variants.json", "TO BE WRITTEN"}));
+  CHECK(asks(problems_of_mistakes(made.folders, made.step), {"variants.json", "TO BE WRITTEN"}));
   made.put("tests/variants/05-mist/variants.json", R"([{"name": "thin", "title": "a", "patch": "thin.patch"}])");
-  CHECK(lacks_of_mistakes(made.folders, made.step).empty());
+  CHECK(problems_of_mistakes(made.folders, made.step).empty());
   made.put("tests/mistakes/05-mist/mistakes.json", with(""));
-  CHECK(asks(lacks_of_mistakes(made.folders, made.step), {"mistakes.json", "'thick'", "--spelling --begin"}));
+  CHECK(asks(problems_of_mistakes(made.folders, made.step), {"mistakes.json", "'thick'", "--spelling --begin"}));
 }
 
 TEST_CASE("slopes, expectations and a plot for the handout are asked for") {
@@ -97,15 +97,15 @@ TEST_CASE("slopes, expectations and a plot for the handout are asked for") {
   made.put("handouts/05-mist.md", "![What it shows](plots/05-pieces.svg)");
   measure::StepMeasured measured{.step = "05-mist"};
   measured.sweeps = {swept("pieces", true), swept("more-pieces", false)};
-  CHECK(lacks_of_measured(made.folders, measured).empty());
+  CHECK(problems_of_measured(made.folders, measured).empty());
   measured.sweeps[0].plan.handout = false;
-  CHECK(asks(lacks_of_measured(made.folders, measured), {"measure.json", "\"handout\": true"}));
+  CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "\"handout\": true"}));
   measured.sweeps[0].plan.handout = measured.sweeps[1].plan.handout = true;
-  CHECK(asks(lacks_of_measured(made.folders, measured), {"handouts/05-mist.md", "plots/05-more-pieces.svg"}));
+  CHECK(asks(problems_of_measured(made.folders, measured), {"handouts/05-mist.md", "plots/05-more-pieces.svg"}));
   measured.sweeps[1] = swept("more-pieces", false);
   measured.sweeps[1].plan.expect.clear();
-  CHECK(asks(lacks_of_measured(made.folders, measured), {"measure.json", "'more-pieces'", "expect"}));
+  CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "'more-pieces'", "expect"}));
   measured.sweeps.pop_back();
-  CHECK(asks(lacks_of_measured(made.folders, measured), {"measure.json", "1 of its sweeps", "two must"}));
+  CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "1 of its sweeps", "two must"}));
   CHECK(in_lines({"one", "two"}) == "! one\n! two\n");
 }
