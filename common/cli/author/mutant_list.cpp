@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "base/sha256.hpp"
 #include "base/strict_json.hpp"
+#include "cli/author/mutations.hpp"
 #include "cli/student/function_text.hpp"
 
 namespace atelier {

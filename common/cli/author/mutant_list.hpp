@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/author/mutants.hpp"
 #include "cli/layout.hpp"
 
 namespace atelier {

@@ -10,7 +10,9 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "cli/author/last_bits.hpp"
 #include "cli/author/mutant_list.hpp"
+#include "cli/author/rewritings.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
 
@@ -170,7 +172,7 @@ class Field {
     for (const std::string& file : step_.files) {
       if (file.ends_with(".txt")) continue;
       const std::string text = read_file(folders_.solutions() / step_.name / file);
-      const std::vector<Edit> edits = drawn(rewritings_of(text, file.ends_with(".glsl")), changes_a_file, seed);
+      const std::vector<Edit> edits = sampled(rewritings_of(text, file.ends_with(".glsl")), changes_a_file, seed);
       for (const Edit& edit : edits)
         trial.mutant.after +=
             fmt::format("{}: {} -> {}\n", file, text.substr(edit.begin, edit.end - edit.begin), edit.text);

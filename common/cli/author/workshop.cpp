@@ -34,14 +34,30 @@ std::string digest_of_cpp(const fs::path& folder, const CourseStep& step) {
   return sha256(text).substr(0, 16);
 }
 
+bool same_text(const fs::path& a, const fs::path& b) {
+  return fs::exists(b) && read_file(a) == read_file(b);
+}
+
+/// Makes `folder` hold the files of `fresh` and no others. Files that are the same are not touched: another process may
+/// be reading them.
+void bring_up_to_date(const fs::path& folder, const fs::path& fresh) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (!fs::exists(fresh / entry.path().filename())) fs::remove_all(entry.path());
+  for (const auto& entry : fs::directory_iterator(fresh))
+    if (const fs::path there = folder / entry.path().filename(); !same_text(entry.path(), there))
+      write_file(there, read_file(entry.path()));
+}
+
 }  // namespace
 
 Version Workshop::make(const std::string& name, const std::function<void(const fs::path&)>& write) const {
   Version version{.name = name, .code = {root_ / name / "sources", {}}, .built = false, .log = {}};
   try {
-    fs::remove_all(version.code.sources);  // remove files of an earlier run
+    const TemporaryFolder fresh("atelier-version");
+    write(fresh.path() / step_.name);
     const fs::path sources = version.code.sources / step_.name;
-    write(sources);
+    bring_up_to_date(sources, fresh.path() / step_.name);
     // Half of the versions differ only in shaders: compile equal C++ once, in a shared folder.
     const fs::path compiled = root_ / "compiled" / digest_of_cpp(sources, step_);
     for (const std::string& file : step_.files)
@@ -102,7 +118,7 @@ judge::RunSettings Workshop::settings(const Version& version) const {
   settings.implementations = search_path(folders_, step_, version.code, earlier_);
   settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), earlier_);
   settings.workers = 1;
-  settings.max_time_outs = 0;                                   // run every case, even after time-outs
+  settings.max_time_outs = 0;                                    // run every case, even after time-outs
   settings.shader_cache = folders_.build / "audit" / "shaders";  // all of it is trusted code
   return settings;
 }

@@ -1,5 +1,8 @@
 #include "01-transforms/given/probes.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "01-transforms/transforms.hpp"
 #include "gl/query.hpp"
 
@@ -20,13 +23,29 @@ float number(const Arguments& in, const std::string& name) {
   return float(in.number(name));
 }
 
+/// The same triangles, each beginning with its smallest index, in ascending order: the contract leaves both free, and only
+/// the winding counts. Indices that are no whole triangles stay as they are.
+std::vector<std::uint32_t> in_one_order(const std::vector<std::uint32_t>& indices) {
+  if (indices.size() % 3 != 0) return indices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t i = 0; i < indices.size(); i += 3) {
+    std::array<std::uint32_t, 3> triangle{indices[i], indices[i + 1], indices[i + 2]};
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+    triangles.push_back(triangle);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  std::vector<std::uint32_t> ordered;
+  for (const auto& triangle : triangles) ordered.insert(ordered.end(), triangle.begin(), triangle.end());
+  return ordered;
+}
+
 Numbers numbers_of(const Mesh& mesh) {
   Numbers out{double(mesh.vertices.size()), double(mesh.indices.size())};
   for (const Vertex& v : mesh.vertices)
     for (const float x :
          {v.position.x, v.position.y, v.position.z, v.normal.x, v.normal.y, v.normal.z, v.texcoord.x, v.texcoord.y})
       out.push_back(x);
-  for (const std::uint32_t i : mesh.indices) out.push_back(i);
+  append(out, in_one_order(mesh.indices));
   return out;
 }
 
