@@ -43,7 +43,9 @@ void add_json(CLI::App* command, bool& json) {
   command->add_flag("--json", json, "Print JSON for programs");
 }
 void add_context(CLI::App* command, std::string& context) {
-  command->add_option("--context", context, "The source of OpenGL; default: OSMesa, or EGL if OSMesa is missing")
+  command
+      ->add_option("--context", context,
+                   "How to create the OpenGL context; default: OSMesa, or EGL if OSMesa is missing")
       ->check(CLI::IsMember({"osmesa", "egl", "window"}));
 }
 void add_earlier(CLI::App* command, std::string& earlier) {
@@ -124,13 +126,13 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   CLI::App* progress = interface.add("progress", "Your progress in each step", options.progress, run_progress);
   add_json(progress, options.progress.json);
 
-  interface.add("next", "The next step: its goal, its files and how to begin", options.next, run_next);
+  interface.add("next", "The next step: its goal, its files and how to start", options.next, run_next);
 
   CLI::App* reset =
       interface.add("reset", "Reset your file to its skeleton, and keep a copy", options.reset, run_reset);
   reset->add_option("file", options.reset.file, "One of your files: 02/blinn_phong.cpp, or blinn_phong.cpp")
       ->required();
-  reset->add_flag("--force", options.reset.force, "Do not ask");
+  reset->add_flag("--force", options.reset.force, "Do not ask for confirmation");
 
   CLI::App* compare = interface.add("compare", "Show your functions beside the solution's, once they have passed",
                                     options.compare, run_compare);
@@ -139,7 +141,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   compare->add_flag("--spoil", options.compare.spoil, "Also functions that have not passed");
 
   CLI::App* doctor =
-      interface.add("doctor", "What this machine has, what it lacks, and how to fix it", options.doctor, run_doctor);
+      interface.add("doctor", "Check this machine, and show how to fix each problem", options.doctor, run_doctor);
   add_json(doctor, options.doctor.json);
   doctor->add_option("--found", options.doctor.found)->group("");  // hidden: for the launcher and for doctor itself
   doctor->add_option("--install", options.doctor.install)->group("");
@@ -161,7 +163,7 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   command->add_option("--workers", grade.workers, "Number of programs that draw at the same time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
-  command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order with this seed");
+  command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);
 
@@ -181,9 +183,10 @@ void describe_measure(Interface& interface, MeasureOptions& options) {
   CLI::App* measure =
       interface.add("measure", "Measure error, time and memory of each setting, with plots", options, run_measure);
   add_step(measure, options.step);
-  measure->add_option("--setting", options.setting, "Only the sweeps of this setting; default: all, and the fronts");
+  measure->add_option("--setting", options.setting,
+                      "Only the sweeps of this setting; default: all, and the Pareto fronts");
   CLI::Option* out = measure->add_option("--out", options.out, "Folder of the results; default: out/measure/STEP");
-  CLI::Option* frames = measure->add_option("--frames", options.frames, "Number of frames to time each picture with")
+  CLI::Option* frames = measure->add_option("--frames", options.frames, "Number of frames to time for each picture")
                             ->check(CLI::Range(1, 10000))
                             ->capture_default_str();
   CLI::Option* mine =
@@ -211,7 +214,7 @@ void describe_mutate(Interface& interface, MutateOptions& options) {
       interface.add("mutate", "Make small changes to solutions; each must lose points", options, run_mutate);
   add_steps(mutate, options.steps);
   mutate->add_option("--seed", options.seed, "Seed for choosing the changes")->capture_default_str();
-  mutate->add_option("--count", options.count, "Changes that build, per step")
+  mutate->add_option("--count", options.count, "Number of changes that compile, per step")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str();
   auto* preserving =
@@ -271,8 +274,8 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
 
   CLI::App* bench =
       interface.add("bench", "Measure the time from an edit to its verdict, and its parts", options.bench, run_bench);
-  bench->add_option("step", options.bench.step, "The step to edit")->capture_default_str();
-  bench->add_option("--repeats", options.bench.repeats, "Runs per figure; the median counts")
+  bench->add_option("step", options.bench.step, "The step to measure")->capture_default_str();
+  bench->add_option("--repeats", options.bench.repeats, "Runs per measurement; the median is reported")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
   bench->add_flag("--baseline", options.bench.baseline, "Only compare the step's frames with those of a baseline");
@@ -284,9 +287,10 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   CLI::App* test = interface.add("test", "Run the project's tests", options.test, run_test);
   auto* quick = test->add_flag_callback(
       "--quick", [&] { options.test.tier = TestOptions::Tier::quick; }, "Under three minutes");
-  auto* all = test->add_flag_callback(
-                      "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "Everything, however long it takes")
-                  ->excludes(quick);
+  auto* all =
+      test->add_flag_callback(
+              "--all", [&] { options.test.tier = TestOptions::Tier::all; }, "All tests, including the long ones")
+          ->excludes(quick);
   test->add_option("--step", options.test.step, "Only the tests of this step")->excludes(quick)->excludes(all);
 }
 

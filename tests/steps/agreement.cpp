@@ -1,5 +1,5 @@
-// However a step is asked, the verdict is the same: by OSMesa or EGL, one worker or two, in order, shuffled, case by
-// case.
+// The verdict on a step does not depend on how it is judged: OSMesa or EGL, one worker or two, in order, shuffled, each
+// case alone.
 #include <bit>
 #include <cstdint>
 
@@ -50,7 +50,7 @@ std::vector<Case> asks_of(const CourseStep& step) {
 
 }  // namespace
 
-TEST_CASE("verdicts do not depend on how they came about", "[agreement]") {
+TEST_CASE("verdicts do not depend on context, workers or order", "[agreement]") {
   for (const auto& submission : {folders().solutions(), folders().steps()}) {
     const auto expected = verdicts(graded(submission));
     // All at once: where none of them matters, neither do they together.
@@ -94,7 +94,7 @@ TEST_CASE("pictures and numbers agree bit by bit", "[bits]") {
   }
 }
 
-TEST_CASE("a case that is asked alone gets the answer that it gets among all", "[alone]") {
+TEST_CASE("a case alone gets the same answer as among all", "[alone]") {
   for (const CourseStep& step : course()) {
     const Workshop workshop(folders(), step);
     const judge::RunSettings settings = workshop.settings(workshop.solution());

@@ -1,4 +1,4 @@
-// The cases tell right from wrong, and the references are what the solutions draw.
+// The cases distinguish right from wrong, and the references are what the solutions draw.
 #include "catch.hpp"
 #include "command.hpp"
 
@@ -6,7 +6,7 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("every known mistake is caught by the case that claims to, and every variant passes", "[audit][each-step]") {
+TEST_CASE("every known mistake is caught by its claiming cases, and every variant passes", "[audit][each-step]") {
   const Printed audit = printed(with_steps({"audit"}));
   CHECK(!audit.json["mistakes"].empty());
   CHECK(!audit.json["variants"].empty());

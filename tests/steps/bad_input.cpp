@@ -76,7 +76,7 @@ void write_hello(const std::filesystem::path& submission,
 
 }  // namespace
 
-TEST_CASE("a file that is not taken is told of by its reason, once a step", "[bad-input]") {
+TEST_CASE("a skipped file is reported with its reason, once per step", "[bad-input]") {
   const std::filesystem::path solution = folders().solutions() / "00-hello/hello.glsl";
   struct Row {
     const char* name;
@@ -113,7 +113,7 @@ TEST_CASE("a file that is not taken is told of by its reason, once a step", "[ba
   }
 }
 
-TEST_CASE("what a student's code throws costs the case that throws it", "[bad-input]") {
+TEST_CASE("an exception in a student's code fails only its case", "[bad-input]") {
   const TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "ada/01-transforms/transforms.cpp";
   std::filesystem::create_directory(folder.path() / "ada");
@@ -140,7 +140,7 @@ TEST_CASE("what a student's code throws costs the case that throws it", "[bad-in
   CHECK(passed > 10);
 }
 
-TEST_CASE("the driver that is told of is the one that draws, whatever the caller's environment says", "[bad-input]") {
+TEST_CASE("the reported driver is the one that draws, whatever the caller's environment", "[bad-input]") {
   const TemporaryFolder folder;
   const auto driver = [&](const char* settings) {
     const Finished finished =
@@ -184,7 +184,7 @@ TEST_CASE("progress goes to stderr, and leaves the JSON on stdout as it is", "[b
   CHECK(std::count(progress.begin(), progress.end(), '\n') == 1);
 }
 
-TEST_CASE("a step's program refuses what would change nothing", "[bad-input]") {
+TEST_CASE("a step's program refuses options without effect", "[bad-input]") {
   const TemporaryFolder empty;
   const std::string out = (empty.path() / "out.png").string(), film = (empty.path() / "out.mp4").string();
   const std::string turn = (empty.path() / "out.gif").string();
@@ -240,7 +240,7 @@ TEST_CASE("Ctrl-C leaves nothing in the system's temporary folder", "[bad-input]
   CHECK(std::filesystem::is_empty(temporary));
 }
 
-TEST_CASE("results are written before anything is said, and whoever listens may hang up", "[bad-input]") {
+TEST_CASE("results are written before output, and a closed pipe is harmless", "[bad-input]") {
   const TemporaryFolder folder;
   const std::string program = (folders().build / "bin/atelier").string(), out = folder.path().string();
   for (const char* const listener : {"| true", ">/dev/full"}) {
@@ -255,7 +255,7 @@ TEST_CASE("results are written before anything is said, and whoever listens may 
   }
 }
 
-TEST_CASE("a student's library that takes itself away is not replaced by the solution", "[bad-input]") {
+TEST_CASE("a student's library that deletes itself is not replaced by the solution", "[bad-input]") {
   const TemporaryFolder folder;
   const auto copy = std::filesystem::copy_options::recursive;
   std::filesystem::create_directories(folder.path() / "ada");

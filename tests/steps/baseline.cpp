@@ -1,5 +1,5 @@
-// The programs that steps are compared with draw what the steps draw, or a comparison of their times says nothing; and
-// the comparison comes out whole. No time is asserted on.
+// Baselines draw the same pictures as the steps, without which a comparison of times is meaningless; and the comparison
+// is complete. No time is asserted on.
 #include <set>
 
 #include "base/file.hpp"
@@ -58,7 +58,7 @@ TEST_CASE("with the same settings a baseline and the step's program draw the sam
   }
 }
 
-TEST_CASE("the comparison with a baseline comes out whole", "[baseline]") {
+TEST_CASE("the comparison with a baseline is complete", "[baseline]") {
   for (const Rivals& r : rivals()) {
     INFO(r.step.name);
     const Printed run = printed({"bench", r.step.name, "--baseline", "--repeats", "1", "--json"});

@@ -1,12 +1,11 @@
-// The blind of step 02 before light that is worked out at the corners. For every pixel the references are held against
-// the truth (truth.cpp).
+// The blind of step 02 with vertex lighting. For lighting per pixel, truth.cpp compares the references with the truth.
 #include "catch.hpp"
 #include "drawn.hpp"
 
 using namespace atelier;
 using namespace atelier::test;
 
-TEST_CASE("a blind darkens corners as it does pixels", "[blind][02-blinn-phong]") {
+TEST_CASE("a blind darkens vertices as it does pixels", "[blind][02-blinn-phong]") {
   const auto plate = [](const char* shading, bool blind) {
     return picture("plate", {{"shading", std::string(shading)}, {"light.blind", blind}, {"plate.cells", 512}});
   };

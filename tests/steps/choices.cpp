@@ -1,4 +1,4 @@
-// Budget cases through the command: the choice is the student's, the code that is counted is the solution's.
+// Budget cases through the command: the student's choice, counted with the solution's code.
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "command.hpp"
@@ -19,7 +19,7 @@ const json& case_named(const json& results, const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("a choice is judged apart from the code beside it", "[choices]") {
+TEST_CASE("a choice is judged independently of the student's code", "[choices]") {
   const TemporaryFolder submission;
   const auto copy = [&](const char* from, const char* step, const char* file) {
     const auto to = submission.path() / step;

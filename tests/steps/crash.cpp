@@ -1,4 +1,4 @@
-// A crash in a student's function is told by that function's name.
+// A crash in a student's function is reported with that function's name.
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "command.hpp"

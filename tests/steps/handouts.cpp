@@ -1,5 +1,5 @@
-// What a handout names is there: the files and headings that it links to, the cases of its tables, and the scenes,
-// settings and outputs of its commands. Every case is named in turn, and the points are right.
+// Everything that a handout names exists: the files and headings of its links, the cases of its tables, and the scenes,
+// settings and outputs of its commands. It names every case, and the points are right.
 #include <algorithm>
 #include <regex>
 #include <set>
@@ -96,13 +96,13 @@ json listing_of(const CourseStep& step) {
 
 }  // namespace
 
-TEST_CASE("the tables of all steps have the rows of today", "[handouts][each-step]") {
+TEST_CASE("the tables of all steps have current rows", "[handouts][each-step]") {
   const Finished finished = run_atelier({"tables", "--check"});
   INFO(finished.output);
   CHECK(finished.exit_status == 0);
 }
 
-TEST_CASE("what a handout links to is there", "[handouts][each-step]") {
+TEST_CASE("the targets of a handout's links exist", "[handouts][each-step]") {
   std::vector<std::string> names = {"README"};
   for (const CourseStep& step : judged_steps()) names.push_back(step.name);
   for (const std::string& name : names) {
@@ -119,8 +119,7 @@ TEST_CASE("what a handout links to is there", "[handouts][each-step]") {
   }
 }
 
-TEST_CASE("a handout has every case and the points of each tier, and no case that there is not",
-          "[handouts][each-step]") {
+TEST_CASE("a handout has every case and the points of each tier, and no unknown case", "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
     Names cases;
@@ -131,7 +130,7 @@ TEST_CASE("a handout has every case and the points of each tier, and no case tha
   }
 }
 
-TEST_CASE("the commands of a handout name scenes, settings and outputs that there are", "[handouts][each-step]") {
+TEST_CASE("scenes, settings and outputs in a handout's commands exist", "[handouts][each-step]") {
   for (const CourseStep& step : judged_steps()) {
     INFO(step.name);
     std::string handout = handout_of(step);

@@ -1,4 +1,4 @@
-// The launcher where nothing is installed: `doctor` says what lacks, and does nothing about it.
+// The launcher on a bare machine: `doctor` reports what is missing, and installs nothing.
 #include <algorithm>
 
 #include "base/file.hpp"
@@ -40,7 +40,7 @@ class BareMachine {
 
 }  // namespace
 
-TEST_CASE("doctor names what lacks on a bare machine, and installs and builds nothing", "[launcher]") {
+TEST_CASE("doctor names what is missing on a bare machine, and installs and builds nothing", "[launcher]") {
   const BareMachine machine;
   const Finished finished = machine.launch({"doctor"});
   INFO(finished.output);
@@ -50,7 +50,7 @@ TEST_CASE("doctor names what lacks on a bare machine, and installs and builds no
   CHECK_FALSE(fs::exists(machine.build()));
 }
 
-TEST_CASE("doctor's JSON is whole without a build", "[launcher]") {
+TEST_CASE("doctor's JSON is complete without a build", "[launcher]") {
   const Finished finished = BareMachine().launch({"doctor", "--json"});
   INFO(finished.output);
   CHECK(finished.exit_status == 1);
@@ -61,7 +61,7 @@ TEST_CASE("doctor's JSON is whole without a build", "[launcher]") {
   CHECK(printed["findings"].back()["mend"] == "./atelier list");
 }
 
-TEST_CASE("doctor refuses what it does not know, and explains itself, on a bare machine too", "[launcher]") {
+TEST_CASE("doctor refuses unknown options, and has --help, on a bare machine too", "[launcher]") {
   const BareMachine machine;
   const Finished refused = machine.launch({"doctor", "--jsno"});
   CHECK(refused.exit_status == 2);
@@ -71,7 +71,7 @@ TEST_CASE("doctor refuses what it does not know, and explains itself, on a bare 
   CHECK(mentions(help.output, {"Exit status"}));
 }
 
-TEST_CASE("doctor says that a program which does not start must be built again", "[launcher]") {
+TEST_CASE("doctor reports that a program that does not start must be rebuilt", "[launcher]") {
   const BareMachine machine;
   const fs::path program = machine.build() / "bin" / "atelier";
   write_file(program, std::string_view("#!/bin/sh\necho 'libfmt.so.9: cannot open shared object file'\nexit 127\n"));
@@ -82,7 +82,7 @@ TEST_CASE("doctor says that a program which does not start must be built again",
   CHECK(mentions(finished.output, {"does not start", "libfmt.so.9", "rm -r '" + machine.build().string() + "'"}));
 }
 
-TEST_CASE("doctor with a build tells of contexts and steps", "[launcher]") {
+TEST_CASE("doctor with a build reports contexts and steps", "[launcher]") {
   const Finished finished = run_atelier({"doctor", "--found", "lack\tninja\tnot found\tget it\n", "--json"});
   INFO(finished.output);
   CHECK(finished.exit_status == 1);  // what the launcher lacks counts

@@ -1,5 +1,5 @@
-// References that the solution draws live decide on any driver. The other driver here is softpipe: Mesa's second one,
-// which shares no line of rasterisation with llvmpipe.
+// Live references, drawn by the solution, work on any driver. The other driver here is Mesa's softpipe, whose
+// rasteriser shares no code with llvmpipe's.
 #include <algorithm>
 
 #include "catch.hpp"
@@ -25,7 +25,7 @@ int passed(const judge::StepResult& result) {
 
 }  // namespace
 
-TEST_CASE("live references decide on a driver that draws otherwise", "[live]") {
+TEST_CASE("live references work on a driver that draws differently", "[live]") {
   int stored_passed = 0, asked = 0;
   for (const CourseStep& step : course()) {
     const std::vector<std::string>& names = few_cases(step.name);

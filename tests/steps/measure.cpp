@@ -1,4 +1,4 @@
-// What theory says of every setting is what is measured, and the handouts' plots show the numbers of today. No time is
+// The measurements of every setting agree with theory, and the handouts' plots show current numbers. No time is
 // asserted on.
 #include <filesystem>
 
@@ -46,7 +46,7 @@ TEST_CASE("slopes, orders and values are what theory expects", "[measure][each-s
   }
 }
 
-TEST_CASE("the handouts show the numbers of today", "[measure][each-step]") {
+TEST_CASE("the handouts show current numbers", "[measure][each-step]") {
   for (const CourseStep& step : measured_steps()) {
     const Finished run = run_atelier({"measure", step.name, "--handout", "--check"});
     INFO(run.output);
@@ -55,7 +55,7 @@ TEST_CASE("the handouts show the numbers of today", "[measure][each-step]") {
   }
 }
 
-TEST_CASE("every plot of a handout is shown in it, and every plot that it shows is there", "[measure][each-step]") {
+TEST_CASE("every plot of a handout is shown in it, and every shown plot exists", "[measure][each-step]") {
   for (const CourseStep& step : measured_steps()) {
     const std::string handout = read_file(folders().handouts() / (step.name + ".md"));
     for (const auto& entry : std::filesystem::directory_iterator(folders().handouts() / "plots")) {
@@ -72,7 +72,7 @@ TEST_CASE("every plot of a handout is shown in it, and every plot that it shows 
   }
 }
 
-TEST_CASE("what cannot be measured is refused before anything is drawn", "[measure]") {
+TEST_CASE("invalid measurements are refused before anything is drawn", "[measure]") {
   struct Row {
     const char* name;
     std::vector<std::string> arguments;

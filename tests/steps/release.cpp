@@ -1,4 +1,4 @@
-// What students get holds nothing that they are to find out, works by itself, and what they hand in can be graded.
+// A release contains nothing that students must find out, works alone, and its submissions can be graded.
 #include <algorithm>
 
 #include "base/file.hpp"
@@ -46,7 +46,7 @@ std::vector<std::string> secrets_in(const grade::PackedFiles& files) {
 
 }  // namespace
 
-TEST_CASE("a release of the course holds no line of a solution, no patch and no hidden case", "[release]") {
+TEST_CASE("a release of the course contains no line of a solution, no patch and no hidden case", "[release]") {
   const TemporaryFolder temporary;
   const fs::path out = temporary.path() / "course";
   const Finished finished = run_atelier({"release", "all", "--out", out.string()});
@@ -85,7 +85,7 @@ TEST_CASE("a release of the course holds no line of a solution, no patch and no 
   }
 }
 
-TEST_CASE("a release as a ZIP is the release as a folder, and the same each time", "[release]") {
+TEST_CASE("a release as a ZIP equals the release as a folder, and is the same each time", "[release]") {
   const TemporaryFolder temporary;
   const auto path = [&](const char* name) { return (temporary.path() / name).string(); };
   for (const char* name : {"one.zip", "two.zip", "folder"})
@@ -131,7 +131,7 @@ TEST_CASE("a release that cannot be made leaves nothing behind", "[release]") {
   }
 }
 
-TEST_CASE("what is handed in is graded like the files themselves", "[release]") {
+TEST_CASE("a packed submission is graded like its files", "[release]") {
   const TemporaryFolder temporary;
   const fs::path zip = temporary.path() / "01.zip";
   const Finished finished = run_atelier({"submit", "01", "--out", zip.string()});
@@ -150,7 +150,7 @@ TEST_CASE("what is handed in is graded like the files themselves", "[release]") 
     CHECK(packed[0]["cases"][i]["status"] == loose[0]["cases"][i]["status"]);
 }
 
-TEST_CASE("a release builds, gives, checks and packs by itself", "[release-builds]") {
+TEST_CASE("a release works without the repository", "[release-builds]") {
   const TemporaryFolder temporary;
   const fs::path out = temporary.path() / "course";
   REQUIRE(run_atelier({"release", "all", "--out", out.string()}).exit_status == 0);

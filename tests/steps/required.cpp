@@ -1,5 +1,4 @@
-// Only what the scene requires: what a scene does not have costs nothing, and what is left out because nobody could see
-// it changes no pixel by 1/255.
+// Unused features cost nothing, and culling of invisible things changes no pixel by 1/255.
 #include <cmath>
 #include <map>
 #include <set>
@@ -14,7 +13,7 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("a scene without something has no cost of it", "[required][02-blinn-phong]") {
+TEST_CASE("unused features cost nothing", "[required][02-blinn-phong]") {
   const std::vector<Priced> rows = {
       {"no textures: nothing held, nothing looked up, no texture coordinate read",
        picture("facets"),
@@ -46,7 +45,7 @@ TEST_CASE("a scene without something has no cost of it", "[required][02-blinn-ph
   check_costs("02-blinn-phong", rows);
 }
 
-TEST_CASE("textures that no material of a step looks up are not uploaded", "[required][02-blinn-phong]") {
+TEST_CASE("textures that no material of a step samples are not uploaded", "[required][02-blinn-phong]") {
   // The hall's bricks have normals and heights too, for later steps.
   const Scene hall = make_builtin_scene("hall");
   std::set<int> used;
@@ -73,7 +72,7 @@ TEST_CASE("textures that no material of a step looks up are not uploaded", "[req
   CHECK(all[1].counts.at("texture_bytes") == 0);  // the scene before it has left nothing behind
 }
 
-TEST_CASE("lights that cannot be seen to matter are left out", "[required][02-blinn-phong]") {
+TEST_CASE("lights with an invisible effect are culled", "[required][02-blinn-phong]") {
   std::vector<Case> pictures;
   for (const char* normalisation : {"none", "n+8"})
     for (const bool cull : {false, true})
@@ -136,7 +135,7 @@ TEST_CASE("nodes outside the view are not drawn", "[required][01-transforms]") {
   }
 }
 
-TEST_CASE("near and far that fit the scene give depth its digits back", "[required][01-transforms]") {
+TEST_CASE("near and far that fit the scene improve depth precision", "[required][01-transforms]") {
   // The slats stand 20 m to 5 km away behind a near plane of a centimetre; pairs are a ten-thousandth of their distance
   // apart. Reversed depth in floats orders all of them (steps of 6e-8 of the distance): it is the truth here.
   const auto slats = [](const char* format, bool fit) {
@@ -160,7 +159,7 @@ TEST_CASE("near and far that fit the scene give depth its digits back", "[requir
   }
 }
 
-TEST_CASE("a wall of the fewest pieces that look round looks round", "[required][01-transforms]") {
+TEST_CASE("a wall with the computed number of pieces looks round", "[required][01-transforms]") {
   const auto hall = [](int segments, int fit) {
     Case made = picture("hall", {{"hall.segments", segments}, {"hall.fit", fit}}, "normal");
     made.size = {320, 240};
@@ -195,7 +194,7 @@ TEST_CASE("a wall of the fewest pieces that look round looks round", "[required]
   CHECK(std::abs(double(triangles(3) - 4) - std::sqrt(2.0) * double(triangles(1) - 4)) <= 2 * 2);
 }
 
-TEST_CASE("a world at rest costs no matrices", "[required][01-transforms]") {
+TEST_CASE("a static scene computes no matrices", "[required][01-transforms]") {
   const TemporaryFolder folder("atelier-steps-test");
   const auto counts = [&](std::vector<std::string> more) {
     std::vector<std::string> arguments = {

@@ -1,5 +1,5 @@
-// Only the cubes that lamps require: one map where casters fit a cone, no cube for a lamp that casts none, no drawing
-// into faces that see no caster.
+// Only required cube maps: one 2D map if casters fit a cone, no cube map for a light without shadows, no drawing into
+// faces without casters.
 #include "catch.hpp"
 #include "drawn.hpp"
 
@@ -23,7 +23,7 @@ const SettingValue never = std::string("never"), six = std::string("six"), all_f
 
 }  // namespace
 
-TEST_CASE("lamps that need no cube have none", "[required][04-point-shadows]") {
+TEST_CASE("lights that need no cube map have none", "[required][04-point-shadows]") {
   const std::vector<Priced> rows = {
       {"casters all round: a cube, one pass for its six faces, one texture",
        lamp_lit("lantern"),
@@ -66,8 +66,7 @@ TEST_CASE("faces that see no caster are cleared, and not drawn", "[required][04-
   for (const std::size_t i : {2u, 3u}) CHECK(pixels_apart(all[i].picture, all[1].picture) == 0);
 }
 
-TEST_CASE("faces that nothing in the picture is looked up in are not drawn for every frame",
-          "[required][04-point-shadows]") {
+TEST_CASE("faces that the picture does not sample are not drawn in every frame", "[required][04-point-shadows]") {
   const SettingValue always = std::string("always"), all_cast = std::string("all");
   std::vector<Case> pictures;
   for (const char* scene : {"cube-room", "lantern", "touching", "crates"})
@@ -96,7 +95,7 @@ TEST_CASE("faces that nothing in the picture is looked up in are not drawn for e
   CHECK(drawn(cubes_step, {fine})[0].counts.at("passes") <= all[0].counts.at("passes") - 2);
 }
 
-TEST_CASE("cubes of what stands still are drawn once", "[required][04-point-shadows]") {
+TEST_CASE("cube maps of static scenes are drawn once", "[required][04-point-shadows]") {
   for (const char* scene : {"lantern", "room", "touching", "desk"}) {
     INFO(scene);
     const auto first = drawn(cubes_step, {lamp_lit(scene)})[0].counts;

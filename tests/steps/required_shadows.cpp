@@ -1,4 +1,4 @@
-// Only the shadows that a scene requires: no map, no pass and no shader code for what cannot be seen to be in shadow.
+// Only required shadows: no map, no pass and no shader code without visible shadows.
 #include "catch.hpp"
 #include "drawn.hpp"
 
@@ -19,7 +19,7 @@ Case shadowed(const std::string& scene, std::map<std::string, SettingValue> sett
 
 }  // namespace
 
-TEST_CASE("shadows that a scene does not have cost nothing", "[required][03-shadow-mapping]") {
+TEST_CASE("unused shadows cost nothing", "[required][03-shadow-mapping]") {
   const std::vector<Priced> rows = {
       {"a lamp and what casts: one map, one pass into it, one texture looked up",
        shadowed("table"),
@@ -52,13 +52,13 @@ TEST_CASE("shadows that a scene does not have cost nothing", "[required][03-shad
   check_costs(shadows_step, rows);
 }
 
-TEST_CASE("what receives no shadow has no code for it", "[required][03-shadow-mapping]") {
+TEST_CASE("surfaces that receive no shadow have no code for it", "[required][03-shadow-mapping]") {
   // Beside the variants that the materials themselves make: one for the box that receives nothing, one for the maps.
   const auto all = drawn(shadows_step, {shadowed("edges"), shadowed("edges", {{"light.count", 0}})});
   CHECK(all[0].counts.at("variants") == all[1].counts.at("variants") + 2);
 }
 
-TEST_CASE("only what casts within a light's sight is drawn into its map", "[required][03-shadow-mapping]") {
+TEST_CASE("only casters in a light's view are drawn into its map", "[required][03-shadow-mapping]") {
   // From far down the colonnade, where most of it is behind the eye.
   Case scene = shadowed("colonnade"), visible = shadowed("colonnade", {{"shadow.fit", std::string("visible")}});
   for (Case* one : {&scene, &visible}) {
@@ -72,7 +72,7 @@ TEST_CASE("only what casts within a light's sight is drawn into its map", "[requ
   CHECK(draws(3) > 0);
 }
 
-TEST_CASE("maps of what stands still are drawn once", "[required][03-shadow-mapping]") {
+TEST_CASE("shadow maps of static scenes are drawn once", "[required][03-shadow-mapping]") {
   for (const char* scene : {"table", "three-spots", "edges", "colonnade"}) {
     INFO(scene);
     const auto first = drawn(shadows_step, {shadowed(scene)})[0].counts;
@@ -87,7 +87,7 @@ TEST_CASE("maps of what stands still are drawn once", "[required][03-shadow-mapp
   }
 }
 
-TEST_CASE("a map that is drawn for every frame holds all that the picture asks of it",
+TEST_CASE("a map that is drawn in every frame has all texels that the picture samples",
           "[required][03-shadow-mapping]") {
   std::vector<Case> pictures;
   const auto both = [&](Case one, int resolution = 64) {
@@ -120,7 +120,7 @@ TEST_CASE("a map that is drawn for every frame holds all that the picture asks o
   }
 }
 
-TEST_CASE("half-shadows of a sun are there whatever its map is fitted to", "[required][03-shadow-mapping]") {
+TEST_CASE("penumbras of a directional light do not depend on the fit of its map", "[required][03-shadow-mapping]") {
   // The columns begin long before the middle of the box that only casters and what is seen of receivers share.
   const std::map<std::string, SettingValue> soft{{"shadow.soft", std::string("pcss")}, {"light.width", 0.05}};
   std::map<std::string, SettingValue> visible = soft;
@@ -135,7 +135,7 @@ TEST_CASE("half-shadows of a sun are there whatever its map is fitted to", "[req
   for (const Drawn& one : all) CHECK(std::abs(double(dark(one.picture)) / double(dark(all[2].picture)) - 1) < 0.2);
 }
 
-TEST_CASE("a sun asks no perspective", "[required][03-shadow-mapping]") {
+TEST_CASE("a directional light needs no perspective", "[required][03-shadow-mapping]") {
   // Its box begins at the plane 0, which step 01's perspective refuses: a picture at all is the proof.
   const auto all = drawn(shadows_step, {shadowed("colonnade"), shadowed("grazing")});
   for (const Drawn& one : all) CHECK(one.counts.at("passes") == 2);
@@ -155,8 +155,7 @@ TEST_CASE("shadows do not depend on the size of the scene", "[required][03-shado
   }
 }
 
-TEST_CASE("a map of one texel, and light at 89.9 degrees, still give shares of light",
-          "[required][03-shadow-mapping]") {
+TEST_CASE("a map of one texel, and light at 89.9 degrees, give fractions of light", "[required][03-shadow-mapping]") {
   std::vector<Case> pictures;
   for (const char* bias : {"none", "constant", "slope", "normal", "plane", "front-faces"})
     for (const char* soft : {"pcf", "pcss"}) {

@@ -1,4 +1,4 @@
-// What a student starts from: made from the solutions, sound, and worth nothing yet.
+// The skeletons: made from the solutions, working, and without points.
 #include <map>
 
 #include "catch.hpp"
@@ -9,7 +9,7 @@ using namespace atelier;
 using namespace atelier::test;
 using nlohmann::json;
 
-TEST_CASE("the skeletons are those of the solutions", "[skeletons][each-step]") {
+TEST_CASE("the skeletons match the solutions", "[skeletons][each-step]") {
   const Finished finished = run_atelier(with_steps({"skeleton", "--check"}));
   INFO(finished.output);
   CHECK(finished.exit_status == 0);

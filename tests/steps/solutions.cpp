@@ -1,4 +1,4 @@
-// The solutions reach every point, and what is written about it is what was promised.
+// The solutions get all points, and the result files are as documented.
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "command.hpp"
@@ -44,7 +44,7 @@ TEST_CASE("grading writes three files that agree", "[solutions]") {
   CHECK(read_file(out.path() / "report.html").find(name) != std::string::npos);
 }
 
-TEST_CASE("a step that was not handed in is missing where it was asked for, and no step otherwise", "[solutions]") {
+TEST_CASE("a step that was not submitted is missing if requested, and otherwise absent", "[solutions]") {
   const TemporaryFolder submission;
   std::filesystem::copy(folders().solutions() / "00-hello", submission.path() / "00-hello");
   CHECK(graded(submission.path())["steps"].size() == 1);
@@ -56,7 +56,7 @@ TEST_CASE("a step that was not handed in is missing where it was asked for, and 
   }
 }
 
-TEST_CASE("a missing file and a file that does not compile cost that step alone", "[solutions]") {
+TEST_CASE("a missing file and a file that does not compile cost only that step", "[solutions]") {
   const TemporaryFolder submission;
   for (const char* step : {"00-hello", "01-transforms", "02-blinn-phong"})
     std::filesystem::copy(folders().solutions() / step, submission.path() / step);

@@ -1,5 +1,5 @@
-// Who does the core alone passes the core, and who does the further part as well passes that: no case asks for a
-// function that only later tiers are about.
+// The core can be passed with the core alone, and the further part with these two: no case needs a function of later
+// tiers only.
 #include <algorithm>
 #include <set>
 
@@ -58,7 +58,7 @@ std::size_t stop_behind(const std::string& last, const std::filesystem::path& fo
 
 }  // namespace
 
-TEST_CASE("no tier asks for what only later tiers are about", "[tiers][each-step]") {
+TEST_CASE("no tier needs the work of later tiers", "[tiers][each-step]") {
   for (const std::string last : {"core", "further"}) {
     const TemporaryFolder submission;
     const std::size_t left_out = stop_behind(last, submission.path());

@@ -1,5 +1,5 @@
-// The references against the ground truth: what the solution draws is what the oracle traces, but for rounding at edges
-// and for what a case says of itself.
+// The references against the ground truth: the solution's pictures equal the oracle's, except for rounding at edges and
+// for cases with truth_differs.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -28,7 +28,7 @@ double mean_level(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("references are the ground truth, or say why they are not", "[truth][each-step]") {
+TEST_CASE("references are the ground truth, or have a reason why not", "[truth][each-step]") {
   for (const CourseStep& step : course()) {
     if (!has_truth(step)) continue;
     const Workshop workshop(folders(), step);
@@ -57,7 +57,7 @@ TEST_CASE("references are the ground truth, or say why they are not", "[truth][e
   }
 }
 
-TEST_CASE("mipmaps come close to what supersampling shows", "[truth][02-blinn-phong]") {
+TEST_CASE("mipmaps approximate supersampling", "[truth][02-blinn-phong]") {
   const CourseStep* step = nullptr;
   const auto all = course();
   for (const CourseStep& each : all)
@@ -97,7 +97,7 @@ TEST_CASE("mipmaps come close to what supersampling shows", "[truth][02-blinn-ph
   }
 }
 
-TEST_CASE("every scene is the truth in every output, under every setting that must not matter", "[truth][each-step]") {
+TEST_CASE("every output of every scene is the truth, under every setting without effect", "[truth][each-step]") {
   struct Row {
     const char* name;
     const char* output;

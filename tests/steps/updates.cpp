@@ -1,4 +1,4 @@
-// A student's solved files of an earlier release, brought to this one: nothing that was right is lost.
+// A student's solved files of an earlier release, updated to this one: no points are lost.
 #include <set>
 
 #include "base/file.hpp"

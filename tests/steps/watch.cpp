@@ -1,4 +1,4 @@
-// A student at a terminal: ./atelier watch in a pseudo-terminal of its own, with a folder of work of its own.
+// ./atelier watch in a pseudo-terminal, with its own work folder.
 #include <poll.h>
 #include <pty.h>
 #include <signal.h>
@@ -118,7 +118,7 @@ constexpr const char* keys_line = "[q]uit";
 
 }  // namespace
 
-TEST_CASE("edit, verdict, edit, verdict, break, mend, reset, quit, resume", "[watch]") {
+TEST_CASE("edit, verdict, edit, verdict, break, fix, reset, quit, resume", "[watch]") {
   const Work work;
   {
     Terminal terminal({"watch", "00"}, work.folder.path());
@@ -171,7 +171,7 @@ TEST_CASE("edit, verdict, edit, verdict, break, mend, reset, quit, resume", "[wa
   CHECK(terminal.wait_for_end() == -SIGINT);
 }
 
-TEST_CASE("a verdict in the making gives way to a newer save", "[watch]") {
+TEST_CASE("a newer save cancels a running check", "[watch]") {
   const Work work;
   Terminal terminal({"watch", "01"}, work.folder.path());
   terminal.read_to(keys_line);

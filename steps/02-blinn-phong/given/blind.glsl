@@ -3,9 +3,9 @@
 
 uniform float u_blind_below, u_blind_height, u_blind_period, u_blind_ramp;
 
-// The fraction of light that crosses the blind at this x.
+// The fraction of light that passes the blind at this x.
 float through_blind(float x) {
-  float off_middle = abs(fract(x / u_blind_period) - 0.5) * u_blind_period;  // from the middle of a slat
+  float off_middle = abs(fract(x / u_blind_period) - 0.5) * u_blind_period;  // distance from the middle of a slat
   float edge = 0.25 * u_blind_period;
   return 0.5 + 0.5 * smoothstep(edge - 0.5 * u_blind_ramp, edge + 0.5 * u_blind_ramp, off_middle);
 }

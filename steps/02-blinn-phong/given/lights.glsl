@@ -25,8 +25,8 @@ struct DirectionalLight {
   vec3 colour;
 };
 
-// Only what the scene has exists: POINT_LIGHTS, SPOT_LIGHTS and DIRECTIONAL_LIGHTS are numbers of lights, 0 where there
-// are none. GLSL has no arrays of size zero: put each loop between #if POINT_LIGHTS > 0 and #endif.
+// POINT_LIGHTS, SPOT_LIGHTS and DIRECTIONAL_LIGHTS are the numbers of lights in the scene. GLSL has no arrays of size
+// zero: put each loop between #if POINT_LIGHTS > 0 and #endif.
 #if POINT_LIGHTS > 0
 uniform PointLight u_point_lights[POINT_LIGHTS];
 #endif
@@ -38,9 +38,9 @@ uniform DirectionalLight u_directional_lights[DIRECTIONAL_LIGHTS];
 #endif
 uniform vec3 u_ambient;
 
-// The visibility of each light at the point that is shaded: the fraction of its light that arrives, 0 to 1. The
-// argument is the light's index in its array. The values are computed before `shade` is called, so these functions may
-// be called anywhere, also in branches. 1 where nothing can be in the way.
+// The visibility of each light at the shaded point: the fraction of its light that arrives, 0 to 1; 1 if the program
+// uses no shadows. The argument is the light's index in its array. The values are computed before `shade` is called, so
+// these functions may be called anywhere, also in branches.
 #ifdef VISIBILITY
 #if POINT_LIGHTS > 0
 float point_visibility[POINT_LIGHTS];

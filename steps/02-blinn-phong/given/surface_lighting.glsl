@@ -1,4 +1,4 @@
-// Gathers the material of a surface point and hands it to the student's `shade`. Given.
+// Collects the material of a surface point and passes it to the student's `shade`. Given.
 #include "02-blinn-phong/blinn_phong.glsl"
 
 uniform vec3 u_diffuse;
@@ -70,7 +70,7 @@ vec3 shade_material(Surface surface, Material m) {
 
 vec3 shade_surface(Surface surface) { return u_emission + shade_material(surface, material_at(surface)); }
 
-// Intermediate results: one part of the model alone.
+// Intermediate results: only one term of the model.
 
 vec3 shade_diffuse_only(Surface surface) {
   Material m = material_at(surface);

@@ -1,7 +1,7 @@
-// Hands a surface point to the student's functions. Given.
+// Passes a surface point to the student's functions. Given.
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
-// PARALLEL: the last row of the matrices of all directional lights is 0 0 0 1, as it must be without perspective.
+// PARALLEL: the last row of the matrices of all directional lights is 0 0 0 1, as in every matrix without perspective.
 //
 // The index of each light in u_shadow_lights; -1: it has no map. These are constants, so that the compiler knows which
 // light and which layer are read, and whether there is perspective.

@@ -4,7 +4,7 @@
 struct ShadowLight {
   mat4 world_to_map;  // bias_matrix() * light_projection() * light_view()
   vec3 eye;           // depth is measured from here
-  vec3 direction;     // of unit length: where the light looks; depth is measured along it
+  vec3 direction;     // unit vector: the light's view direction; depth is measured along it
   float half_width;   // spot: tangent of half the angle of view; directional: half the width of its box, metres
   float near, far;    // depths of the two planes, metres
   float width;        // of the light source. Spot: side of a square, metres; directional: tangent of its angle

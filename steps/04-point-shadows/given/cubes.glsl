@@ -4,15 +4,15 @@
 struct CubeLight {
   vec3 position;
   float far;  // the distance that is stored as 1
-  int cube;   // the number of its cube: the first argument of the functions below
+  int cube;   // the index of its cube map: the first argument of the functions below
 };
 
-// All point lights that have a cube, at most 4.
+// All point lights that have a cube map, at most 4.
 #if CUBES > 0
 uniform CubeLight u_cube_lights[CUBES];
 #endif
 
-// In GLSL 3.30 no variable can choose a sampler, and OpenGL 3.3 has no arrays of cube maps: so each has its own name.
+// GLSL 3.30 cannot choose a sampler by a variable, and OpenGL 3.3 has no cube map arrays: so each has its own name.
 #ifdef COMPARE
 #define CUBE_SAMPLER samplerCubeShadow
 #else
@@ -31,7 +31,7 @@ uniform CUBE_SAMPLER u_cube_2;
 uniform CUBE_SAMPLER u_cube_3;
 #endif
 
-// Texels along an edge of a cube.
+// Texels along an edge of a cube map.
 float cube_resolution() {
 #if CUBES > 0
   return float(textureSize(u_cube_0, 0).x);
@@ -40,8 +40,8 @@ float cube_resolution() {
 #endif
 }
 
-// With COMPARE: compares the reference with the four nearest texels in this direction and interpolates the answers; 1
-// means that it is at most what is stored. Without: the stored value.
+// With COMPARE: compares the reference with the four nearest texels in this direction and interpolates the results; 1
+// means that the reference is at most the stored value. Without: returns the stored value.
 #ifdef COMPARE
 float compared_with_cube(int cube, vec3 direction, float reference) {
 #define ANSWER(sampler) texture(sampler, vec4(direction, reference))

@@ -1,7 +1,7 @@
-// Hands a surface point to the student's functions. Given.
+// Passes a surface point to the student's functions. Given.
 #include "04-point-shadows/point_shadows.glsl"
 
-// The index of each point light in u_cube_lights; -1: it has no cube.
+// The index of each point light in u_cube_lights; -1: it has no cube map.
 #if POINT_LIGHTS > 0
 const int point_cubes[POINT_LIGHTS] = int[](POINT_CUBES);
 #endif
@@ -21,7 +21,7 @@ float point_visibility_by_cube(int light, vec3 position, vec3 normal, vec3 to_li
 #endif
 }
 
-// ---- Intermediate results for the light that shadow.light chooses; SHOWN_CUBE is its cube
+// ---- Intermediate results for the light that shadow.light chooses; SHOWN_CUBE is its cube map
 
 #ifdef SHOWN_CUBE
 vec3 shown_cube_factor(Surface surface) {

@@ -36,7 +36,7 @@ TEST_CASE("the panel shows a colour by its sRGB codes", "[colour_codes]") {
   }
 }
 
-TEST_CASE("an edited code becomes the light that it stands for, within the range", "[colour_codes]") {
+TEST_CASE("an edited code is decoded to linear light and clamped to the range", "[colour_codes]") {
   const struct {
     const char* name;
     double low, high;
@@ -59,7 +59,7 @@ TEST_CASE("an edited code becomes the light that it stands for, within the range
   }
 }
 
-TEST_CASE("every code comes back from the light that it stands for", "[colour_codes]") {
+TEST_CASE("every code survives decoding and encoding", "[colour_codes]") {
   for (int code = 0; code < 256; ++code)
     CHECK(codes_of(with_codes(colour_spec(0, 1), Colour(-1), glm::ivec3(code))) == glm::ivec3(code));
 }

@@ -19,7 +19,7 @@ std::optional<CommandLine> parse(std::vector<std::string> words) {
 
 }  // namespace
 
-TEST_CASE("a command line that is wrong is answered with what is", "[command_line]") {
+TEST_CASE("an invalid command line is refused with a suggestion", "[command_line]") {
   const struct {
     const char* name;
     std::vector<std::string> words;
@@ -105,7 +105,7 @@ TEST_CASE("a command line that is wrong is answered with what is", "[command_lin
   }
 }
 
-TEST_CASE("what is not said has its default", "[command_line]") {
+TEST_CASE("missing arguments have defaults", "[command_line]") {
   const CommandLine line = parse({}).value();
   CHECK(line.picture.size == glm::ivec2(640, 480));
   CHECK(line.picture.output == "colour");
@@ -121,7 +121,7 @@ TEST_CASE("what is not said has its default", "[command_line]") {
   CHECK_FALSE(line.list);
 }
 
-TEST_CASE("what is said is taken", "[command_line]") {
+TEST_CASE("arguments are read", "[command_line]") {
   const CommandLine line = parse({"--scene",   "hall",     "--size",  "1x4096",   "--set",      "a.b=1",    "--set",
                                   "c=x=y",     "--output", "depth",   "--eye",    "-1,2.5,1e6", "--target", "0,0,-0.5",
                                   "--context", "egl",      "--stats", "--record", "turn.GIF",   "--frames", "7"})

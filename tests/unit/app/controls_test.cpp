@@ -102,19 +102,19 @@ TEST_CASE("a digit names a scene", "[controls]") {
   CHECK(gesture.number == 4);
 }
 
-TEST_CASE("a third click is no second double click", "[controls]") {
+TEST_CASE("a third click is not another double click", "[controls]") {
   Controls controls;
   interpret(controls, press(Button::left, 0, 0, 0.0));
   CHECK(interpret(controls, press(Button::left, 0, 0, 0.1)).action == Action::reset_camera);
   CHECK(interpret(controls, press(Button::left, 0, 0, 0.2)).action == Action::none);
 }
 
-TEST_CASE("opposite arrows undo each other", "[controls]") {
+TEST_CASE("opposite arrow keys cancel each other", "[controls]") {
   CHECK(after({Typed{Key::left}, Typed{Key::right}, Typed{Key::up}, Typed{Key::down}}).turn == glm::dvec2(0));
   CHECK(after({Typed{Key::left}}).turn.x > 0);  // as a drag to the right: the camera goes to the left
 }
 
-TEST_CASE("the median frame time does not see one slow frame", "[controls]") {
+TEST_CASE("one slow frame does not change the median frame time", "[controls]") {
   FrameTimes times;
   CHECK(times.median() == 0);
   times.add(5);

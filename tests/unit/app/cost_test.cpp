@@ -1,4 +1,4 @@
-// What a picture has cost: counted, timed where that is asked for, and printed.
+// The cost of a picture: counted, timed on request, and printed.
 #include "app/cost.hpp"
 
 #include <nlohmann/json.hpp>
@@ -30,7 +30,7 @@ TEST_CASE("the median of an even number is between the middle two", "[cost]") {
   CHECK(mentions(error_of([] { timings_of({}); }), {"no frame"}));
 }
 
-TEST_CASE("a picture's cost is counted without the loading of its scene", "[cost]") {
+TEST_CASE("a picture's cost does not include loading its scene", "[cost]") {
   Studio studio;
   studio.painter->paint(small_picture());
   const DrawingCost& cost = studio.painter->cost();
@@ -50,7 +50,7 @@ TEST_CASE("a picture's cost is counted without the loading of its scene", "[cost
   CHECK(cost.groups[0] == GlGroup{.depth = 0, .name = "frame", .passes = 1, .draws = 1, .triangles = 12});
 }
 
-TEST_CASE("frames that are timed are drawn after two that are not, and look the same", "[cost]") {
+TEST_CASE("timed frames come after two frames of warm-up, and look the same", "[cost]") {
   Studio studio;
   const Image once = studio.painter->paint(small_picture());
   CHECK(studio.step.draws == 1);
@@ -68,7 +68,7 @@ TEST_CASE("frames that are timed are drawn after two that are not, and look the 
   CHECK(cost.scene.matrices == 0);  // nothing has moved since the first
 }
 
-TEST_CASE("every count stands in the table and, under the same name, in the JSON", "[cost]") {
+TEST_CASE("every count is in the table and, with the same name, in the JSON", "[cost]") {
   DrawingCost cost;
   cost.gl.triangles = 1234567;
   cost.scene.lights = 64;
@@ -93,7 +93,7 @@ TEST_CASE("every count stands in the table and, under the same name, in the JSON
   CHECK(rows == cost_rows(cost).size() + 1);
 }
 
-TEST_CASE("groups are an indented list, and under the same names in the JSON", "[cost]") {
+TEST_CASE("groups are an indented list, with the same names in the JSON", "[cost]") {
   DrawingCost cost;
   const nlohmann::json none = nlohmann::json::parse(cost_as_json(cost));
   CHECK(none["groups"] == nlohmann::json::array());
@@ -121,7 +121,7 @@ TEST_CASE("groups are an indented list, and under the same names in the JSON", "
   CHECK(json["groups"][3]["name"] == "lamp\uFFFD\uFFFD[31m\uFFFD");
 }
 
-TEST_CASE("as many groups as are listed, with long names, do not keep the judge from the counts", "[cost]") {
+TEST_CASE("the judge can read the counts of the maximum number of groups with long names", "[cost]") {
   constexpr std::int64_t many = 99'999'999;
   DrawingCost cost;
   cost.gl.triangles = 7;
@@ -132,7 +132,7 @@ TEST_CASE("as many groups as are listed, with long names, do not keep the judge 
   CHECK(read_counts(folder.path() / "a.stats").at("triangles") == 7);
 }
 
-TEST_CASE("the cost of each picture case lies beside its picture where it is asked for", "[cost]") {
+TEST_CASE("the cost of each picture case is written beside its picture on request", "[cost]") {
   const std::string_view job = R"({"cases": [
     {"name": "box", "scene": "box", "size": [8, 8]}, {"name": "ring", "scene": "ring", "size": [8, 8]},
     {"name": "nowhere", "scene": "hall", "size": [8, 8]}, {"name": "values", "probe": "twice", "inputs": [{"x": 1}]}]})";

@@ -16,7 +16,7 @@ std::string name_of(const char* mangled, std::size_t room = 256) {
 
 }  // namespace
 
-TEST_CASE("a function's name is read out of its mangled one") {
+TEST_CASE("a function's name is extracted from its mangled name") {
   struct Row {
     const char* mangled;
     const char* name;

@@ -44,7 +44,7 @@ double codes_apart(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("what a frame is drawn into follows from the settings and the output's encoding", "[frame]") {
+TEST_CASE("the frame's target follows from the settings and the output's encoding", "[frame]") {
   const struct {
     const char* name;
     Values values;
@@ -73,7 +73,7 @@ TEST_CASE("what a frame is drawn into follows from the settings and the output's
   CHECK(supersampling_of(Encoding::data, thrice) == 1);
 }
 
-TEST_CASE("the settings of the frame take what is allowed and nothing else", "[frame]") {
+TEST_CASE("the frame settings accept only allowed values", "[frame]") {
   const struct {
     const char *name, *value, *allowed;
   } rows[] = {{"frame.format", "10", "32f, 16f, 8"}, {"frame.format", "srgb8", "32f, 16f, 8"},
@@ -89,7 +89,7 @@ TEST_CASE("the settings of the frame take what is allowed and nothing else", "[f
   }
 }
 
-TEST_CASE("a window begins with 8 bits and 4 samples, where the driver has them", "[frame]") {
+TEST_CASE("a window starts with 8 bits and 4 samples, if the driver supports them", "[frame]") {
   std::vector<SettingSpec> specs = frame_settings();
   specs.push_back({.name = "other", .fallback = 3, .low = 0, .high = 9});
   const Settings window(with_window_defaults(specs, 8)), poor(with_window_defaults(specs, 3));
@@ -101,7 +101,7 @@ TEST_CASE("a window begins with 8 bits and 4 samples, where the driver has them"
   CHECK(poor.choice("frame.samples") == "1");
 }
 
-TEST_CASE("pictures are floats of one sample unless something else is asked", "[frame]") {
+TEST_CASE("pictures are floats with one sample by default", "[frame]") {
   Studio studio;
   const Image picture = studio.painter->paint(small_picture());
   CHECK(std::size_t(studio.painter->cost().gl.target_bytes) == 32 * 24 * (16 + 4));
@@ -111,7 +111,7 @@ TEST_CASE("pictures are floats of one sample unless something else is asked", "[
   CHECK(target.read_colour(studio.context->gl()) == picture);
 }
 
-TEST_CASE("a picture keeps what its format keeps", "[frame]") {
+TEST_CASE("a picture has the precision of its format", "[frame]") {
   Studio studio;
   const Image full = studio.painter->paint(small_picture());
   const Image bytes = studio.painter->paint(picture_with({{"frame.format", "8"}}));
@@ -125,7 +125,7 @@ TEST_CASE("a picture keeps what its format keeps", "[frame]") {
   }
 }
 
-TEST_CASE("outputs that are data are drawn plainly", "[frame]") {
+TEST_CASE("data outputs are always floats with one sample", "[frame]") {
   Studio studio;
   const Values all = {{"frame.format", "8"}, {"frame.samples", "4"}, {"frame.supersampling", "3"}};
   for (const char* output : {"depth", "normal", "position", "texcoord"}) {
@@ -153,7 +153,7 @@ TEST_CASE("supersampling is the mean of the larger picture", "[frame]") {
     }
 }
 
-TEST_CASE("more samples come nearer to the mean over each pixel", "[frame]") {
+TEST_CASE("with more samples, a pixel is closer to its mean", "[frame]") {
   Studio studio;
   Case finest = picture_with({{"frame.supersampling", "4"}});
   finest.size *= 8;
@@ -172,7 +172,7 @@ TEST_CASE("more samples come nearer to the mean over each pixel", "[frame]") {
   CHECK(finer < 0.6 * twice);
 }
 
-TEST_CASE("a size that the driver does not have is refused in the setting's words", "[frame]") {
+TEST_CASE("a size that the driver does not support is refused, naming the setting", "[frame]") {
   Studio studio;
   Case wide = picture_with({{"frame.supersampling", "2"}});
   const int longest = longest_side(studio.context->gl());

@@ -20,7 +20,7 @@ std::string line_with(const std::string& text, const std::string& word) {
 
 }  // namespace
 
-TEST_CASE("the list for people names everything that can be asked for", "[list]") {
+TEST_CASE("the text list names everything that can be requested", "[list]") {
   const std::string text = list_as_text(test::FakeStep().description());
   CHECK(mentions(text, {"00-fake: A step for tests", "box", "ring", "--scene", "--set", "--output", "twice"}));
   CHECK(mentions(line_with(text, "tint.brightness"), {"0..4", "default 0.5"}));
@@ -31,7 +31,7 @@ TEST_CASE("the list for people names everything that can be asked for", "[list]"
   CHECK(mentions(line_with(text, "  colour "), {"linear colour"}));
 }
 
-TEST_CASE("the list for programs says the same", "[list]") {
+TEST_CASE("the JSON list has the same content", "[list]") {
   const StepDescription description = test::FakeStep().description();
   const auto json = nlohmann::json::parse(list_as_json(description));
   CHECK(json["name"] == "00-fake");

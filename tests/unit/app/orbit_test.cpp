@@ -43,7 +43,7 @@ glm::dvec3 upward(const Orbit& orbit) {
 
 }  // namespace
 
-TEST_CASE("an orbit begins where its camera stands", "[orbit]") {
+TEST_CASE("an orbit starts at its camera", "[orbit]") {
   for (const auto& [name, camera] : cameras) {
     INFO(name);
     const Orbit orbit = orbit_of(camera);
@@ -56,7 +56,7 @@ TEST_CASE("an orbit begins where its camera stands", "[orbit]") {
   }
 }
 
-TEST_CASE("turning keeps the distance and the head up", "[orbit]") {
+TEST_CASE("rotation keeps the distance and the up direction", "[orbit]") {
   for (const auto& [name, camera] : cameras) {
     INFO(name);
     const Orbit start = orbit_of(camera);
@@ -70,21 +70,21 @@ TEST_CASE("turning keeps the distance and the head up", "[orbit]") {
   }
 }
 
-TEST_CASE("a turn stops short of the poles", "[orbit]") {
+TEST_CASE("rotation stops before the poles", "[orbit]") {
   const Orbit orbit = orbit_of({.eye = {0, 1, 5}});
   CHECK(turned(orbit, 0, 100).elevation == highest_elevation);
   CHECK(turned(orbit, 0, -100).elevation == -highest_elevation);
   CHECK(highest_elevation < pi / 2);
 }
 
-TEST_CASE("a camera that looks straight down stays until it is turned", "[orbit]") {
+TEST_CASE("a camera that looks straight down does not change until it is rotated", "[orbit]") {
   const Camera camera{.eye = {2, 10, 3}, .target = {2, 0, 3}};
   const Orbit orbit = orbit_of(camera);
   CHECK(glm::distance(eye_of(orbit), camera.eye) <= tolerance(camera));
   CHECK(turned(orbit, 0.1, 0).elevation == highest_elevation);
 }
 
-TEST_CASE("a heading is taken round the axis", "[orbit]") {
+TEST_CASE("the heading is an angle around the up axis", "[orbit]") {
   const Orbit orbit = orbit_of({.eye = {0, 0, 5}});
   CHECK(orbit.heading == 0);
   const struct {
@@ -105,7 +105,7 @@ TEST_CASE("a heading is taken round the axis", "[orbit]") {
   }
 }
 
-TEST_CASE("a dolly stays within its bounds and leads back", "[orbit]") {
+TEST_CASE("a dolly is clamped and reversible", "[orbit]") {
   const Orbit orbit = orbit_of({.eye = {0, 3, 4}});
   CHECK(dollied(orbit, 1).distance == Approx(4.5));  // a tenth of 5 m nearer
   CHECK(dollied(dollied(orbit, 7), -7).distance == Approx(5));
@@ -115,7 +115,7 @@ TEST_CASE("a dolly stays within its bounds and leads back", "[orbit]") {
   CHECK(orbit.farthest == Approx(5e3));
 }
 
-TEST_CASE("a pan keeps what is grasped under the cursor", "[orbit]") {
+TEST_CASE("a pan keeps the grabbed point under the cursor", "[orbit]") {
   for (const auto& [name, camera] : cameras) {
     INFO(name);
     const Orbit start = turned(orbit_of(camera), 0.4, 0.1);
@@ -130,7 +130,7 @@ TEST_CASE("a pan keeps what is grasped under the cursor", "[orbit]") {
   }
 }
 
-TEST_CASE("a pixel at the target is as large as the angle of view says", "[orbit]") {
+TEST_CASE("the size of a pixel at the target follows from the angle of view", "[orbit]") {
   const Orbit orbit = orbit_of({.eye = {0, 0, 10}});
   // 2 * 10 m * tan(45 degrees) over 500 pixels; the angle is a float, good to 1e-7.
   CHECK(metres_per_pixel(orbit, {.fov_y = float(pi / 2)}, 500) == Approx(0.04).epsilon(1e-6));
@@ -145,14 +145,14 @@ TEST_CASE("an orthographic camera sees less when it comes nearer", "[orbit]") {
   CHECK(camera_on(dollied(start, 1), camera, start).height == Approx(3.6).epsilon(1e-6));
 }
 
-TEST_CASE("what is no camera still gives an orbit", "[orbit]") {
+TEST_CASE("an invalid camera still gives an orbit", "[orbit]") {
   const Orbit same_place = orbit_of({.eye = {1, 2, 3}, .target = {1, 2, 3}});
   CHECK(same_place.distance == 1);
   CHECK(glm::distance(eye_of(same_place), {1, 2, 4}) < rounding * 10);
   CHECK(orbit_of({.up = {0, 0, 0}}).up == glm::dvec3(0, 1, 0));
 }
 
-TEST_CASE("numbers that are none move nothing", "[orbit]") {
+TEST_CASE("NaN and infinity do not move the camera", "[orbit]") {
   const Orbit orbit = orbit_of({});
   for (const double bad : {not_a_number, infinite, -infinite}) {
     CHECK(eye_of(turned(orbit, bad, 0)) == eye_of(orbit));

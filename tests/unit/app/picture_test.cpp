@@ -14,7 +14,7 @@ using test::Studio;
 
 }  // namespace
 
-TEST_CASE("a case's camera changes what it names and nothing else", "[picture]") {
+TEST_CASE("a case's camera changes only the members that it has", "[picture]") {
   const Camera own{.eye = {1, 2, 3}, .target = {4, 5, 6}, .up = {0, 0, 1}, .fov_y = 0.5f, .near = 0.2f, .far = 50};
   const Camera same = apply({}, own);
   CHECK(same.eye == own.eye);
@@ -41,7 +41,7 @@ TEST_CASE("a case's camera changes what it names and nothing else", "[picture]")
   CHECK(apply(change, own).far == 7.0f);
 }
 
-TEST_CASE("a painter draws what a case asks", "[picture]") {
+TEST_CASE("a painter draws the picture of a case", "[picture]") {
   Studio studio;
   const Image red = studio.painter->paint(small_picture());
   CHECK(red.width() == 32);
@@ -68,7 +68,7 @@ TEST_CASE("a painter draws what a case asks", "[picture]") {
   CHECK(studio.step.last_time == 1.25);
 }
 
-TEST_CASE("a painter says what it cannot draw", "[picture]") {
+TEST_CASE("a painter reports what it cannot draw", "[picture]") {
   Studio studio;
   const struct {
     const char* name;

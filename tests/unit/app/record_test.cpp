@@ -28,7 +28,7 @@ std::vector<Value> values_of(const char* name, const char* from, const char* to,
 
 }  // namespace
 
-TEST_CASE("a setting runs from one end almost to the other", "[record]") {
+TEST_CASE("a varied setting runs from the first value almost to the last", "[record]") {
   CHECK(values_of<double>("tint.brightness", "0", "4", 4) == std::vector<double>{0, 1, 2, 3});
   CHECK(values_of<double>("tint.brightness", "3", "1", 4) == std::vector<double>{3, 2.5, 2, 1.5});
   CHECK(values_of<int>("segments", "3", "5", 4) == std::vector<int>{3, 4, 4, 5});  // halves away from zero
@@ -47,7 +47,7 @@ TEST_CASE("a component that is the same at both ends stays the same", "[record]"
   }
 }
 
-TEST_CASE("a variation says what it cannot run through", "[record]") {
+TEST_CASE("an invalid variation is refused with the reason", "[record]") {
   const struct {
     const char *name, *from, *to;
     std::initializer_list<std::string_view> answer;
@@ -74,7 +74,7 @@ TEST_CASE("a variation says what it cannot run through", "[record]") {
   }
 }
 
-TEST_CASE("the camera goes round its target", "[record]") {
+TEST_CASE("the camera orbits its target", "[record]") {
   const Camera start{.eye = {3, 1, 0}, .target = {1, 1, 0}, .up = {0, 2, 0}};
   const Change turn = turn_of_camera(start);
   const struct {

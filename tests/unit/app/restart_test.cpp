@@ -16,7 +16,7 @@ void touch(const fs::path& file, int seconds) {
 
 }  // namespace
 
-TEST_CASE("libraries are those of the steps that are used, by the order of the search path", "[restart]") {
+TEST_CASE("the libraries of the used steps are found in the order of the search path", "[restart]") {
   const TemporaryFolder folder;
   const fs::path mine = folder.path() / "mine", solutions = folder.path() / "solutions";
   for (const char* step : {"01-a", "02-b", "03-c"}) write_file(solutions / step / "libstep.so", std::string_view("s"));
@@ -31,7 +31,7 @@ TEST_CASE("libraries are those of the steps that are used, by the order of the s
   CHECK(step_libraries(identity, Implementations({{mine, ""}, {solutions, ""}})).size() == 1);
 }
 
-TEST_CASE("shaders are found in every root, limited roots in their step", "[restart]") {
+TEST_CASE("shaders are found in every root; limited roots apply only to their step", "[restart]") {
   const TemporaryFolder folder;
   const fs::path mine = folder.path() / "mine", other = folder.path() / "other";
   for (const fs::path& file :
@@ -45,7 +45,7 @@ TEST_CASE("shaders are found in every root, limited roots in their step", "[rest
   CHECK(shaders.contains(other / "02-b/b.geom"));
 }
 
-TEST_CASE("a watch reports a change once, when it has come to rest", "[restart]") {
+TEST_CASE("a watch reports a change once, after the files have stopped changing", "[restart]") {
   const TemporaryFolder folder;
   const fs::path library = folder.path() / "01-a/libstep.so";
   write_file(library, std::string_view("one"));
@@ -69,7 +69,7 @@ TEST_CASE("a watch reports a change once, when it has come to rest", "[restart]"
   CHECK(watch.settled_change(look()));
 }
 
-TEST_CASE("new code is tried by a child before the program becomes it", "[restart]") {
+TEST_CASE("a child process tests new code before the program restarts with it", "[restart]") {
   const TemporaryFolder folder;
   const auto script = [&](std::string_view text) {
     const fs::path file = folder.path() / "program";

@@ -49,7 +49,7 @@ TEST_CASE("a scene program has the settings of the frame behind its own", "[scen
       std::vector<std::string>{"tint.glow", "draw.constants", "frame.format", "frame.samples", "frame.supersampling"});
 }
 
-TEST_CASE("the view settings have their effect", "[scene_program]") {
+TEST_CASE("the view settings work", "[scene_program]") {
   const TemporaryFolder folder;
   test::write_fake_shaders(folder.path());
   const auto context = make_headless_context();
@@ -74,7 +74,7 @@ TEST_CASE("the view settings have their effect", "[scene_program]") {
       CHECK(painter.paint(with("depth.format", std::string(format))) == plain);
     }
   }
-  SECTION("the target gets the depth that the setting names") {
+  SECTION("the target has the depth format of the setting") {
     Settings settings(step.description().settings);
     CHECK(step.depth_format(settings) == DepthFormat::depth24);
     settings.set("depth.format", "16");
@@ -89,7 +89,7 @@ TEST_CASE("a program without view settings draws with the defaults", "[scene_pro
   CHECK(program.depth_format(Settings()) == DepthFormat::depth24);
 }
 
-TEST_CASE("a target has a stencil buffer where a feature draws views inside views, and only there", "[scene_program]") {
+TEST_CASE("a target has a stencil buffer only if a feature draws views inside views", "[scene_program]") {
   struct Portals : Feature {
     bool there = false;
     void prepare(Gl&, const Scene& scene) override { there = scene.name == "box"; }
@@ -121,7 +121,7 @@ TEST_CASE("a target has a stencil buffer where a feature draws views inside view
   }
 }
 
-TEST_CASE("the scene's own camera comes with it", "[scene_program]") {
+TEST_CASE("a scene is drawn with its own camera", "[scene_program]") {
   const TemporaryFolder folder;
   test::write_fake_shaders(folder.path());
   const auto context = make_headless_context();

@@ -1,4 +1,4 @@
-// What a student's code throws, in words.
+// Messages for exceptions of a student's code.
 #include "app/thrown.hpp"
 
 #include <functional>
@@ -23,7 +23,7 @@ std::string words_for(const std::function<void()>& code) {
 
 }  // namespace
 
-TEST_CASE("what was thrown is named, and its text given where it has one") {
+TEST_CASE("a thrown exception is reported with its type, and its text if it has one") {
   struct Row {
     const char* name;
     std::function<void()> code;
@@ -44,7 +44,7 @@ TEST_CASE("what was thrown is named, and its text given where it has one") {
   CHECK(thrown_in_words() == "std::terminate was called");
 }
 
-TEST_CASE("names are demangled where they are mangled") {
+TEST_CASE("mangled names are demangled, others are kept") {
   CHECK(demangle("_ZN7atelier7look_atEv") == "atelier::look_at()");
   CHECK(demangle("look_at") == "look_at");
 }

@@ -1,4 +1,4 @@
-// The ground truth on the command line: asked of the program, without OpenGL.
+// The ground truth on the command line, without OpenGL.
 #include "app/truth.hpp"
 
 #include "base/file.hpp"
@@ -79,7 +79,7 @@ TEST_CASE("a program's truth needs no context, and says which outputs it has", "
   CHECK(trace_case(step, depth, 1).at(8, 6).r == Approx(1 - plain).epsilon(1e-4));
 }
 
-TEST_CASE("what has no truth is refused with the reason", "[truth]") {
+TEST_CASE("a request without a ground truth is refused with the reason", "[truth]") {
   CHECK(mentions(error_of([] { trace_case(test::FakeStep(), small(), 1); }), {"00-fake has no ground truth"}));
   const TrueStep step;
   const auto refused = [&](auto&& change) {
@@ -99,7 +99,7 @@ TEST_CASE("what has no truth is refused with the reason", "[truth]") {
   CHECK(mentions(refused([](Case& c) { c.settings["segments"] = 2; }), {"segments", "3"}));
 }
 
-TEST_CASE("cases are answered by files, probes by the reason why not", "[truth]") {
+TEST_CASE("picture cases are answered with files, probes with the reason for refusal", "[truth]") {
   const TemporaryFolder folder;
   write_file(folder.path() / "cases.json",
              std::string_view(R"({"cases": [{"name": "seen", "scene": "box", "size": [8, 8]},
@@ -110,7 +110,7 @@ TEST_CASE("cases are answered by files, probes by the reason why not", "[truth]"
   CHECK(mentions(read_case_error(folder.path() / "twice.error"), {"probe 'twice'", "only pictures"}));
 }
 
-TEST_CASE("a bar of progress is for terminals, and for those who wait", "[truth]") {
+TEST_CASE("the progress bar appears only on terminals, and only after a delay", "[truth]") {
   CHECK(written(false, 0).empty());
   CHECK(written(true, 1e9).empty());
   const std::string bar = written(true, 0);

@@ -51,7 +51,7 @@ constexpr const char* broken_glsl = "vec3 shade(Surface surface) { return colour
 
 }  // namespace
 
-TEST_CASE("a viewer draws when something has changed, and only then", "[viewer]") {
+TEST_CASE("a viewer draws only if something has changed", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   REQUIRE(viewer.draw());
@@ -127,7 +127,7 @@ TEST_CASE("a viewer shows what --out draws, to the bit", "[viewer]") {
   CHECK(painter.paint(picture) == seen);
 }
 
-TEST_CASE("a viewer draws 8 bits and 4 samples unless it is told otherwise, and data exactly", "[viewer]") {
+TEST_CASE("a viewer draws 8 bits and 4 samples by default, and data as floats", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   const auto spec_of = [&] {
@@ -174,7 +174,7 @@ TEST_CASE("a viewer's picture is that of --out with the window's settings", "[vi
   }
 }
 
-TEST_CASE("the camera turns, and a reset brings back the scene's own", "[viewer]") {
+TEST_CASE("the camera rotates, and a reset restores the scene's camera", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   REQUIRE(viewer.draw());
@@ -189,7 +189,7 @@ TEST_CASE("the camera turns, and a reset brings back the scene's own", "[viewer]
   CHECK(room.picture() == start);
 }
 
-TEST_CASE("a setting keeps the camera that was chosen, another scene brings its own", "[viewer]") {
+TEST_CASE("a new setting keeps the chosen camera, a new scene has its own", "[viewer]") {
   CommandLine line = plain_line();
   line.picture.camera.eye = glm::dvec3(0, 0, 9);
   Room room(line);
@@ -206,7 +206,7 @@ TEST_CASE("a setting keeps the camera that was chosen, another scene brings its 
   CHECK(viewer.camera().eye == glm::dvec3(0, 0, 3));
 }
 
-TEST_CASE("what a student's code throws is shown, and the last good picture stays", "[viewer]") {
+TEST_CASE("an exception in a student's code is shown, and the last good picture stays", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   REQUIRE(viewer.draw());
@@ -238,7 +238,7 @@ TEST_CASE("what a student's code throws is shown, and the last good picture stay
   CHECK_FALSE(viewer.retry());
 }
 
-TEST_CASE("a scene that cannot be loaded is trouble, and another can be chosen", "[viewer]") {
+TEST_CASE("a scene that cannot be loaded is reported, and another can be chosen", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   REQUIRE(viewer.draw());
@@ -251,7 +251,7 @@ TEST_CASE("a scene that cannot be loaded is trouble, and another can be chosen",
   CHECK_FALSE(viewer.trouble.any());
 }
 
-TEST_CASE("what failed while a scene was loaded is loaded again", "[viewer]") {
+TEST_CASE("a scene whose loading failed is loaded again", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   room.step.on_load = [] { throw Error("upload_mesh: no buffer"); };
@@ -265,7 +265,7 @@ TEST_CASE("what failed while a scene was loaded is loaded again", "[viewer]") {
   CHECK(viewer.camera().eye == glm::dvec3(1, 1.5, 3));  // the scene's own, which the first try did not bring
 }
 
-TEST_CASE("a changed shader is seen; a broken one leaves the picture", "[viewer]") {
+TEST_CASE("a changed shader is used; a broken one keeps the last picture", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   REQUIRE(viewer.draw());
@@ -290,7 +290,7 @@ TEST_CASE("a changed shader is seen; a broken one leaves the picture", "[viewer]
   CHECK(room.picture().at(24, 16).g < 0.5f);
 }
 
-TEST_CASE("what is no number is seen in every format", "[viewer]") {
+TEST_CASE("NaN is visible in every format", "[viewer]") {
   const char* const shaders[] = {
       "uniform vec3 u_tint;\nvec3 shade(Surface surface) { return (u_tint - u_tint) / (u_tint - u_tint); }\n",
       "uniform vec3 u_tint;\nvec3 shade(Surface surface) { return vec3(0.5, 1.0 / (u_tint.x - u_tint.x), 0.5); }\n"};
@@ -314,7 +314,7 @@ TEST_CASE("what is no number is seen in every format", "[viewer]") {
       }
 }
 
-TEST_CASE("a shader that is broken from the start can be mended", "[viewer]") {
+TEST_CASE("a shader that is broken at startup can be fixed", "[viewer]") {
   Room room;
   Viewer& viewer = *room.viewer;
   room.write_shader(broken_glsl);
@@ -327,7 +327,7 @@ TEST_CASE("a shader that is broken from the start can be mended", "[viewer]") {
   CHECK(room.picture().at(24, 16) == Rgba{0, 1, 0, 1});
 }
 
-TEST_CASE("a typing error on the command line is refused before there is a window", "[viewer]") {
+TEST_CASE("a typing error on the command line is refused before a window opens", "[viewer]") {
   const struct {
     const char* name;
     void (*spoil)(CommandLine&);
@@ -380,7 +380,7 @@ TEST_CASE("a view can be opened again from its command line", "[viewer]") {
   CHECK(again.picture() == seen);
 }
 
-TEST_CASE("sizes out of range are brought into it", "[viewer]") {
+TEST_CASE("sizes out of range are clamped", "[viewer]") {
   Room room;
   room.viewer->resize({0, -5});
   REQUIRE(room.viewer->draw());
@@ -388,7 +388,7 @@ TEST_CASE("sizes out of range are brought into it", "[viewer]") {
   CHECK(room.picture().height() == 1);
 }
 
-TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[presenter]") {
+TEST_CASE("the presenter encodes once, clamps, and marks NaN", "[presenter]") {
   const auto context = make_headless_context();
   Gl& gl = context->gl();
   const Target source(gl, {.width = 1, .height = 1, .depth = DepthFormat::none});
@@ -434,7 +434,7 @@ TEST_CASE("the presenter encodes once, clamps, and marks what is no number", "[p
   }
 }
 
-TEST_CASE("the presenter shows sRGB codes as what they are, once", "[presenter]") {
+TEST_CASE("the presenter does not encode sRGB codes again", "[presenter]") {
   const auto context = make_headless_context();
   Gl& gl = context->gl();
   const Target source(gl, {.width = 1, .height = 1, .colour = ColourFormat::srgb8, .depth = DepthFormat::none});

@@ -97,7 +97,7 @@ TEST_CASE("a window opens, shows what --out draws, and quits", "[window]") {
   CHECK(different < 320 * 240 / 200);
 }
 
-TEST_CASE("a window starts itself again when the step's library is built anew", "[window]") {
+TEST_CASE("a window restarts when the step's library has been rebuilt", "[window]") {
   if (!have_virtual_display()) SKIP_TEST("xvfb-run is not installed (Debian: xvfb)");
   const Home home;
   const auto starts = home.folder.path() / "starts.txt";
@@ -115,7 +115,7 @@ TEST_CASE("a window starts itself again when the step's library is built anew", 
   CHECK(mentions(second, {"--scene=box", "--size=64x48", "--set=tint.colour=blue", "--implementations="}));
 }
 
-TEST_CASE("wishes in the environment that make no sense are refused", "[window]") {
+TEST_CASE("invalid environment variables are refused", "[window]") {
   const Home home;
   const std::pair<const char*, const char*> rows[] = {{"ATELIER_WINDOW_FRAMES", "0"},
                                                       {"ATELIER_WINDOW_FRAMES", "many"},

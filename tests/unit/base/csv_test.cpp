@@ -3,7 +3,7 @@
 
 using namespace atelier;
 
-TEST_CASE("a field of a table is quoted only where it must be", "[base]") {
+TEST_CASE("a CSV field is quoted only if necessary", "[base]") {
   CHECK(csv_field("") == "");
   CHECK(csv_field("shadow.fit: casters") == "shadow.fit: casters");
   CHECK(csv_field("a, b") == "\"a, b\"");

@@ -45,7 +45,7 @@ class FileSizeLimit {
 
 }  // namespace
 
-TEST_CASE("A disk without room is told of before it is written to") {
+TEST_CASE("A full disk is reported before anything is written to it") {
   const TemporaryFolder folder;
   CHECK_NOTHROW(require_space(folder.path(), 1));
   CHECK(mentions(error_of([&] { require_space(folder.path(), std::uintmax_t(1) << 62); }),
@@ -53,7 +53,7 @@ TEST_CASE("A disk without room is told of before it is written to") {
   CHECK_NOTHROW(require_space("/nowhere", 1));  // what is unknown is no reason to stop
 }
 
-TEST_CASE("What is written is read back byte by byte") {
+TEST_CASE("A written file is read back byte by byte") {
   const TemporaryFolder folder;
   const std::vector<std::pair<std::string, std::string>> rows = {
       {"empty", ""},
@@ -75,7 +75,7 @@ TEST_CASE("What is written is read back byte by byte") {
   CHECK(files_in(folder.path() / "new folder" / "deep") == rows.size());  // nothing else is left there
 }
 
-TEST_CASE("A name of the greatest length is written too") {
+TEST_CASE("A file name of the maximum length can be written") {
   const TemporaryFolder folder;
   write_file(folder.path() / std::string(255, 'n'), "long");
   CHECK(read_file(folder.path() / std::string(255, 'n')) == "long");
@@ -83,12 +83,12 @@ TEST_CASE("A name of the greatest length is written too") {
   CHECK(files_in(folder.path()) == 1);
 }
 
-TEST_CASE("Files without a size, as those of /proc, are read to their end") {
+TEST_CASE("Files without a size, as in /proc, are read to their end") {
   if (!fs::exists("/proc/self/status")) SKIP_TEST("this system has no /proc");
   CHECK(mentions(read_file("/proc/self/status"), {"Pid:"}));
 }
 
-TEST_CASE("Reading refuses what is no file within the limit, and names it") {
+TEST_CASE("Reading refuses and names non-files and files above the limit") {
   const TemporaryFolder folder;
   write_file(folder.path() / "ten", "0123456789");
   fs::create_symlink(folder.path() / "nowhere", folder.path() / "dangling");
@@ -105,7 +105,7 @@ TEST_CASE("Reading refuses what is no file within the limit, and names it") {
   CHECK(mentions(error_of([&] { read_file(""); }), {"cannot be read"}));
 }
 
-TEST_CASE("A write that fails leaves the old file, and no other") {
+TEST_CASE("A failed write leaves only the old file") {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "result.json";
   write_file(file, "old");
@@ -119,7 +119,7 @@ TEST_CASE("A write that fails leaves the old file, and no other") {
   CHECK(files_in(folder.path()) == 1);
 }
 
-TEST_CASE("Writing refuses places that cannot hold a file, and names them") {
+TEST_CASE("Writing refuses and names invalid places") {
   const TemporaryFolder folder;
   write_file(folder.path() / "file", "old");
   CHECK(mentions(error_of([&] { write_file(folder.path(), "x"); }), {folder.path().string(), "folder"}));
@@ -136,7 +136,7 @@ TEST_CASE("Writing refuses places that cannot hold a file, and names them") {
   CHECK(mentions(error_of([&] { write_file(folder.path() / "locked" / "x", "x"); }), {"locked", "Permission denied"}));
 }
 
-TEST_CASE("A link stays a link, and an owner's permissions stay as they were") {
+TEST_CASE("A link stays a link, and the owner's permissions are kept") {
   const TemporaryFolder folder;
   write_file(folder.path() / "behind", "old");
   fs::permissions(folder.path() / "behind", fs::perms::owner_read | fs::perms::owner_write);
@@ -147,7 +147,7 @@ TEST_CASE("A link stays a link, and an owner's permissions stay as they were") {
   CHECK(fs::status(folder.path() / "behind").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
 }
 
-TEST_CASE("A temporary folder is empty, its own, and gone at the end") {
+TEST_CASE("A temporary folder is new, empty, and deleted at the end") {
   fs::path first, second;
   {
     TemporaryFolder a("unit"), b("unit");

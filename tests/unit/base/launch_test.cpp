@@ -67,7 +67,7 @@ TEST_CASE("Pipes are closed by exec, and keep away from the standard streams") {
   CHECK(exit_status(child) == 0);
 }
 
-TEST_CASE("A child leads its own group, and how it ends is told though SIGCHLD is ignored") {
+TEST_CASE("A child leads its own process group, and its status is reported even if SIGCHLD is ignored") {
   ::signal(SIGCHLD, SIG_IGN);
   const pid_t child =
       launch({.arguments = {"sh", "-c", "sleep 1000"}, .folder = {}, .environment = {}, .descriptors = {}});
@@ -91,7 +91,7 @@ TEST_CASE("A child dies with its parent") {
   CHECK(all_from(pipe.read).empty());  // ends, since the child's end is closed
 }
 
-TEST_CASE("A descriptor that is not open, like a program that is not there, is an error") {
+TEST_CASE("A descriptor that is not open and a missing program are errors") {
   const auto message = [](Launch wanted) { return error_of([&] { launch(wanted); }); };
   CHECK(mentions(message({.arguments = {"true"}, .folder = {}, .environment = {}, .descriptors = {{-1, 3}}}),
                  {"program 'true' cannot be started", "Bad file descriptor"}));

@@ -6,7 +6,7 @@ using namespace atelier;
 
 #define BAD "\xEF\xBF\xBD"  // U+FFFD
 
-TEST_CASE("text is made safe to print") {
+TEST_CASE("unprintable text is escaped") {
   struct Row {
     const char* name;
     std::string text, one_line, lines;
@@ -42,7 +42,7 @@ TEST_CASE("text is made safe to print") {
   }
 }
 
-TEST_CASE("a word for a shell is one word") {
+TEST_CASE("a quoted argument is one word for a shell") {
   CHECK(shell_word("/home/ada/a=b,c_1.zip") == "/home/ada/a=b,c_1.zip");
   CHECK(shell_word("Ada Lovelace; rm -r x") == "'Ada Lovelace; rm -r x'");
   CHECK(shell_word("it's $HOME") == "'it'\\''s $HOME'");
@@ -51,7 +51,7 @@ TEST_CASE("a word for a shell is one word") {
   CHECK(shell_word("\x1b[31m") == "");
 }
 
-TEST_CASE("text is cut between characters") {
+TEST_CASE("text is truncated between characters") {
   CHECK(shorten("abcdef", 6) == "abcdef");
   CHECK(shorten("abcdefg", 6) == "abc...");
   CHECK(shorten("aäöü", 6) == "aä...");

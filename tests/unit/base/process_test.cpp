@@ -39,7 +39,7 @@ bool runs(pid_t process) {
 
 }  // namespace
 
-TEST_CASE("How a child ended is told") {
+TEST_CASE("The status of a child is reported") {
   struct Row {
     const char *name, *script;
     int exit_status, signal;
@@ -65,12 +65,12 @@ TEST_CASE("How a child ended is told") {
   }
 }
 
-TEST_CASE("Arguments reach the program as they are, without a shell") {
+TEST_CASE("Arguments reach the program unchanged, without a shell") {
   const Finished finished = run_process({.arguments = {"printf", "%s|", "a b", "$HOME", "*", "", "'\"\n"}});
   CHECK(finished.output == "a b|$HOME|*||'\"\n|");
 }
 
-TEST_CASE("The folder and the environment are those asked for") {
+TEST_CASE("The folder and the environment are the requested ones") {
   const TemporaryFolder folder;
   atelier::write_file(folder.path() / "mark", "x");
   CHECK(run_process({.arguments = {"ls"}, .folder = folder.path()}).output == "mark\n");
@@ -83,7 +83,7 @@ TEST_CASE("The folder and the environment are those asked for") {
   ::unsetenv("ATELIER_UNIT_TEST");
 }
 
-TEST_CASE("What cannot be started is named") {
+TEST_CASE("A program that cannot be started is named") {
   const TemporaryFolder folder;
   atelier::write_file(folder.path() / "plain", "no program");
   const auto message = [](Command command) { return error_of([&] { run_process(command); }); };
@@ -94,14 +94,14 @@ TEST_CASE("What cannot be started is named") {
   CHECK(mentions(message({}), {"the name of the program to start is missing"}));
 }
 
-TEST_CASE("A flood of output is read to its end and kept up to the limit") {
+TEST_CASE("Large output is read to its end and kept up to the limit") {
   const Finished finished =
       run_process({.arguments = {"sh", "-c", "head -c 5000000 /dev/zero; echo end"}, .output_limit = 1000});
   CHECK(finished.ok());  // not blocked on a full pipe
   CHECK(finished.output == std::string(1000, '\0'));
 }
 
-TEST_CASE("A child that does not end is killed at the limit, with all that it started") {
+TEST_CASE("A child that does not end is killed at the limit, with all its children") {
   struct Row {
     const char *name, *script;
   };
@@ -145,7 +145,7 @@ TEST_CASE("A child starts with default signals, whatever its parent ignores") {
   CHECK(finished.signal == SIGPIPE);
 }
 
-TEST_CASE("A parent without standard streams starts children like any other") {
+TEST_CASE("A parent without standard streams can start children") {
   // Tried in a child of our own, since this program needs its streams.
   const pid_t child = ::fork();
   if (child == 0) {
@@ -159,7 +159,7 @@ TEST_CASE("A parent without standard streams starts children like any other") {
   CHECK(status == 0);
 }
 
-TEST_CASE("Children of several threads do not disturb each other") {
+TEST_CASE("Children of several threads do not affect each other") {
   std::vector<std::string> outputs(8);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < outputs.size(); ++i)
@@ -180,7 +180,7 @@ TEST_CASE("No descriptor is left open, however a child ends") {
   CHECK(open_now() == before);
 }
 
-TEST_CASE("Signals have names that a student understands") {
+TEST_CASE("Signals have understandable names") {
   CHECK(atelier::signal_name(SIGSEGV) == "segmentation fault (SIGSEGV)");
   CHECK(atelier::signal_name(SIGFPE).find("division by zero") != std::string::npos);
   CHECK(atelier::signal_name(61) == "signal 61");

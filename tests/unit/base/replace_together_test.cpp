@@ -13,7 +13,7 @@ using atelier::TemporaryFolder;
 using atelier::write_file;
 namespace fs = std::filesystem;
 
-TEST_CASE("files that belong together are replaced all or none") {
+TEST_CASE("files that belong together are replaced atomically") {
   const TemporaryFolder folder;
   const fs::path a = folder.path() / "a", b = folder.path() / "b";
   write_file(a, std::string_view("old a"));

@@ -32,7 +32,7 @@ const char* const full_picture = R"({
 
 }  // namespace
 
-TEST_CASE("a picture case with every member survives the way to the program") {
+TEST_CASE("a picture case with every member reaches the program unchanged") {
   for (const Case& c : {parsed(full_picture), parse_case(to_json(parsed(full_picture)), "again")}) {
     CHECK(c.name == "copper-8");
     CHECK(c.scene == "materials");
@@ -84,7 +84,7 @@ TEST_CASE("a probe's inputs are flattened, and survive with non-finite numbers a
   }
 }
 
-TEST_CASE("a program is never handed what only the judge may know") {
+TEST_CASE("a program never receives the judge's members") {
   const char* const of_the_judge[] = {"title",   "asked",     "hint",   "tier",       "points", "student",
                                       "rejects", "functions", "needs",  "profile",    "unit",   "delta",
                                       "budget",  "exposure",  "reason", "references", "hidden"};
@@ -167,7 +167,7 @@ TEST_CASE("broken cases are refused with file, case, member and what is allowed"
   }
 }
 
-TEST_CASE("a file of cases completes them from its defaults") {
+TEST_CASE("a file's defaults apply to its cases") {
   const std::vector<Case> cases = cases_of(R"({"schema": 1, "step": "02-x", "title": "T",
     "defaults": {"scene": "room", "size": [64, 32], "camera": {"near": 1, "far": 5}, "settings": {"a": 1, "b": 2}, "points": 2},
     "cases": [{"name": "one"},
@@ -215,7 +215,7 @@ TEST_CASE("broken files of cases are refused") {
   CHECK(error_of([] { read_cases("/nowhere/cases.json"); }).find("/nowhere/cases.json") != std::string::npos);
 }
 
-TEST_CASE("arguments name what is missing or of another length") {
+TEST_CASE("missing arguments and wrong lengths are named") {
   Arguments arguments;
   arguments.values = {
       {"eye", {1, 2, 3}}, {"half", {0.5}}, {"nan", {std::nan("")}}, {"m", std::vector<double>(16, 2.0)}};

@@ -40,7 +40,7 @@ std::string values_refusal(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("pixels come back bit by bit, whatever they are") {
+TEST_CASE("all pixels are read back bit by bit") {
   const TemporaryFolder folder;
   Image image = small_picture();
   image.at(2, 1) = {std::nanf("0x1234"), inf, -inf, -0.0f};
@@ -81,7 +81,7 @@ TEST_CASE("pixels of the wrong kind or size are refused") {
   }
 }
 
-TEST_CASE("what is no regular file is refused at once") {
+TEST_CASE("anything but a regular file is refused at once") {
   const TemporaryFolder folder;
   const fs::path target = folder.path() / "target";
   write_pixels(target, small_picture());
@@ -110,7 +110,7 @@ TEST_CASE("what is no regular file is refused at once") {
   }
 }
 
-TEST_CASE("a sparse file of any length is refused by its size") {
+TEST_CASE("a sparse file of the wrong size is refused") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a", "ATELIER1");
   fs::resize_file(folder.path() / "a", std::uintmax_t(1) << 40);
@@ -121,7 +121,7 @@ TEST_CASE("a sparse file of any length is refused by its size") {
   CHECK(read_case_error(folder.path() / "a").size() <= 500);
 }
 
-TEST_CASE("values come back as the same doubles") {
+TEST_CASE("values are read back as the same doubles") {
   const TemporaryFolder folder;
   const std::vector<Numbers> written = {
       {0.1, 1.0 / 3, 1e300, 5e-324, -17, 0, -0.0, 9007199254740993.0}, {}, {std::nan(""), inf, -inf}};

@@ -9,7 +9,7 @@ using namespace atelier;
 using test::error_of;
 namespace fs = std::filesystem;
 
-TEST_CASE("the first root that has a file answers, file by file") {
+TEST_CASE("for each file, the first root that has it is used") {
   const TemporaryFolder folder;
   const fs::path mine = folder.path() / "mine", solution = folder.path() / "solution";
   write_file(mine / "02-x" / "a.glsl", "mine");

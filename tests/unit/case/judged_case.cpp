@@ -101,7 +101,7 @@ TEST_CASE("a picture case takes every member") {
   CHECK(exact.budget == 0);
 }
 
-TEST_CASE("a probe has its values in the file, or beside it") {
+TEST_CASE("a probe's values are in the file or beside it") {
   const JudgedCase here = read_one(probe());
   CHECK(here.profile == Profile::values);
   REQUIRE(here.expected.size() == 2);
@@ -119,7 +119,7 @@ TEST_CASE("a probe has its values in the file, or beside it") {
   CHECK(near.tolerance.ulp == 4);
 }
 
-TEST_CASE("defaults reach the kind of case that they belong to") {
+TEST_CASE("defaults apply only to cases of their kind") {
   json whole = document(with(picture(), {{"scene", nullptr}}));
   whole["cases"].push_back(probe());
   whole["defaults"] = {

@@ -62,7 +62,7 @@ TEST_CASE("settings are set from text and from values, ends of ranges included")
   CHECK(settings.colour("shadow.tint") == Colour(1, 0, 0));
 }
 
-TEST_CASE("settings refuse text with the value and what is allowed") {
+TEST_CASE("invalid text is refused with the value and what is allowed") {
   struct Row {
     const char *name, *text, *words;
   };
@@ -173,7 +173,7 @@ TEST_CASE("typed values do not convert, except a whole number to a real or to a 
   }
 }
 
-TEST_CASE("settings refuse a wrong declaration and a wrong reading") {
+TEST_CASE("wrong declarations and wrong types on reading are refused") {
   CHECK(error_of([] {
           Settings(
               {{.name = "a", .fallback = 1, .low = 0, .high = 2}, {.name = "a", .fallback = 1, .low = 0, .high = 2}});
@@ -205,7 +205,7 @@ TEST_CASE("edit distance counts insertions, deletions, replacements and swaps") 
   }
 }
 
-TEST_CASE("only a near name is suggested") {
+TEST_CASE("only a similar name is suggested") {
   const std::vector<std::string> known = {"camera", "scene", "size", "settings"};
   CHECK(nearest_name("camrea", known) == "camera");
   CHECK(nearest_name("x", known).empty());

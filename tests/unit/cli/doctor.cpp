@@ -58,7 +58,7 @@ TEST_CASE("The launcher's findings are read") {
   }
 }
 
-TEST_CASE("One lack decides the status, and notes do not") {
+TEST_CASE("One missing requirement decides the status, notes do not") {
   const Finding good{State::good, "a", "", ""}, note{State::note, "b", "", ""}, lack{State::lack, "c", "", ""};
   CHECK(status_of({}) == exit_ok);
   CHECK(status_of({good, note}) == exit_ok);
@@ -82,7 +82,7 @@ TEST_CASE("Findings are printed with the command that fixes them") {
   CHECK(json["findings"][1]["mend"] == "apt-get install ninja-build");
 }
 
-TEST_CASE("A trial's words are found among a driver's own") {
+TEST_CASE("A trial's message is found among a driver's messages") {
   ContextTrial window = working("window");
   window.scale = 1.5f;
   const ContextTrial read = read_trial({.output = "libEGL warning: chatter\n" + trial_text(window) + "more chatter"});
@@ -94,7 +94,7 @@ TEST_CASE("A trial's words are found among a driver's own") {
   CHECK_FALSE(read_trial({.output = trial_text(working("egl"))}).scale);
 }
 
-TEST_CASE("A trial that comes to a bad end says which") {
+TEST_CASE("A failed trial reports how it ended") {
   const std::string said = trial_text(working("egl"));  // believed only of a program that ends well
   struct Row {
     const char* name;
@@ -116,7 +116,7 @@ TEST_CASE("A trial that comes to a bad end says which") {
   }
 }
 
-TEST_CASE("One kind of context is enough, and none is a lack") {
+TEST_CASE("One kind of context is enough, none is a problem") {
   struct Row {
     const char* name;
     ContextTrials trials;
@@ -140,7 +140,7 @@ TEST_CASE("One kind of context is enough, and none is a lack") {
   }
 }
 
-TEST_CASE("A missing driver is fixed by the packages of the system at hand") {
+TEST_CASE("The fix for a missing driver names this system's packages") {
   const ContextTrials nothing{failing("a"), failing("b"), failing("c"), failing("d")};
   struct Row {
     const char *install, *fix;
@@ -154,7 +154,7 @@ TEST_CASE("A missing driver is fixed by the packages of the system at hand") {
   for (const Row& row : rows) CHECK(about(context_findings(nothing, row.install), "judge").fix == row.fix);
 }
 
-TEST_CASE("A window's scale is told where there is a window") {
+TEST_CASE("A window's scale is reported if there is a window") {
   ContextTrials trials = usual();
   const auto without = context_findings(trials, apt);
   CHECK(std::none_of(without.begin(), without.end(), [](const Finding& f) { return f.subject == "scale"; }));
@@ -163,7 +163,7 @@ TEST_CASE("A window's scale is told where there is a window") {
   CHECK(mentions(about(context_findings(trials, apt), "scale").words, {"2 "}));
 }
 
-TEST_CASE("Displays are named, and none is no lack") {
+TEST_CASE("Displays are named, and a missing display is not a problem") {
   CHECK(display_finding("", "").state == State::note);
   CHECK(display_finding(":0", "").words == "X11 :0");
   CHECK(display_finding(":0", "wayland-0").words == "X11 :0, Wayland wayland-0");
@@ -176,7 +176,7 @@ TEST_CASE("If the system does not report saved files, doctor says what happens i
   CHECK(mentions(watching_finding(false).words, {"200 ms"}));
 }
 
-TEST_CASE("A sandbox that cannot start says what forbids it") {
+TEST_CASE("If the sandbox cannot start, the reason is reported") {
   struct Row {
     const char* name;
     SandboxTrial trial;
@@ -208,7 +208,7 @@ TEST_CASE("A sandbox that cannot start says what forbids it") {
   CHECK(sandbox_finding({}, "").fix.empty());
 }
 
-TEST_CASE("Steps that run are told in one line, each other one in its own") {
+TEST_CASE("Steps that run share one line, each other step has its own") {
   const std::vector<StepTrial> trials = {
       {.name = "00-hello", .built = true},
       {.name = "01-transforms", .built = true},

@@ -36,7 +36,7 @@ using Texts = std::vector<std::string>;
 
 }  // namespace
 
-TEST_CASE("each call says more, and stays at the last level") {
+TEST_CASE("each call gives the next level, up to the last") {
   HintedCourse course;
   struct Row {
     int level;
@@ -85,7 +85,7 @@ TEST_CASE("the first hint comes with the contracts of the functions in question"
         std::string::npos);
 }
 
-TEST_CASE("without a name the first case that did not pass is helped with") {
+TEST_CASE("without a name, the hint is for the first failed case") {
   HintedCourse course;
   const auto chosen = [&] { return hint_at(course.folders, course.step, "", course.record, 1).case_name; };
   CHECK(chosen() == "one");
@@ -111,7 +111,7 @@ TEST_CASE("a case that names no function has one hint") {
   CHECK(hint.levels == 1);
 }
 
-TEST_CASE("a hint says where it stands and how to get the next") {
+TEST_CASE("a hint has its level and the command for the next") {
   HintedCourse course;
   const std::string text = hint_text(hint_at(course.folders, course.step, "one", course.record, 2), 80);
   CHECK(mentions(text, {"one", "hint 2 of 3", "turn", "turn idea", "./atelier hint 01 one"}));

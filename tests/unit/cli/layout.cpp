@@ -47,7 +47,7 @@ TEST_CASE("a step is found by number, name and part") {
   CHECK(mentions(error_of([] { resolve_step(course_of_names, "99999999999999999999"); }), {"no such step"}));
 }
 
-TEST_CASE("several steps come in the order of the course, once each") {
+TEST_CASE("several steps are listed in the order of the course, each once") {
   const auto steps = resolve_steps(course_of_names, {"phong", "0", "2"});
   REQUIRE(steps.size() == 2);
   CHECK(steps[0].name == "00-hello");
@@ -74,7 +74,7 @@ TEST_CASE("the course is read from what CMake has written") {
   CHECK(mentions(error_of([&] { read_course(file); }), {"step_flags.json", "object"}));
 }
 
-TEST_CASE("the search path has the code under judgement in front, for its own step alone") {
+TEST_CASE("the search path starts with the judged code, limited to its own step") {
   const TemporaryFolder root;
   const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
   for (const char* name : {"steps/01-move", "steps/02-light", "solutions/01-move", "theirs/02-light"})
@@ -119,7 +119,7 @@ TEST_CASE("the search path has the code under judgement in front, for its own st
         std::map<std::string, std::string>{{"01-move", "solution"}, {"02-light", "yours"}});
 }
 
-TEST_CASE("a student's own earlier step is used where it has passed with the files that are there") {
+TEST_CASE("a student's own earlier step is used if its current files have passed") {
   const TemporaryFolder root;
   const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
   write_file(root.path() / "solutions/01-move/move.cpp", std::string_view("solution"));
@@ -151,7 +151,7 @@ TEST_CASE("a student's own earlier step is used where it has passed with the fil
   CHECK(mentions(error_of(owner), {"progress.json", "move it away"}));
 }
 
-TEST_CASE("an edited skeleton is told from an untouched one") {
+TEST_CASE("an edited skeleton is distinguished from an untouched one") {
   const TemporaryFolder steps;
   write_file(steps.path() / "01-move/move.cpp", std::string_view("abc"));
   // The digest of "abc" from FIPS 180-4's own example.

@@ -1,4 +1,4 @@
-// What of a student's folder is handed in.
+// The files of a student's folder that are submitted.
 #include "cli/student/own_files.hpp"
 
 #include "base/file.hpp"
@@ -31,7 +31,7 @@ struct Home {
 
 }  // namespace
 
-TEST_CASE("exactly the student's files are handed in") {
+TEST_CASE("exactly the student's files are submitted") {
   const Home home;
   const grade::PackedFiles files = read_own_files(home.folders, handed_in);
   REQUIRE(files.size() == 2);
@@ -39,7 +39,7 @@ TEST_CASE("exactly the student's files are handed in") {
   CHECK(files.at("01-move/move.glsl").bytes == "float b;\n");
 }
 
-TEST_CASE("a file that grade would not take is not handed in") {
+TEST_CASE("a file that grade would refuse is not submitted") {
   const Home home;
   const auto error = [&] { return error_of([&] { read_own_files(home.folders, handed_in); }); };
   fs::remove(home.mine("move.glsl"));

@@ -30,7 +30,7 @@ std::string written(bool terminal, int width = 80) {
 
 }  // namespace
 
-TEST_CASE("progress is a plain line a step where nothing can be rewritten") {
+TEST_CASE("progress is one plain line per step if the output is not a terminal") {
   CHECK(written(false) ==
         "00-hello: 1 / 3 points, 1 of 2 cases passed (step 1 of 2)\n"
         "01-move: 1 / 3 points, 1 of 2 cases passed (step 2 of 2)\n");

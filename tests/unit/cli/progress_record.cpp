@@ -21,7 +21,7 @@ const std::string digest(64, 'a');
 
 }  // namespace
 
-TEST_CASE("a record that is not there is empty, and one that was written is read back") {
+TEST_CASE("a missing record is empty, and a written one is read back") {
   const TemporaryFolder folder;
   const auto file = folder.path() / "progress.json";
   CHECK(read_progress(file).empty());
@@ -46,7 +46,7 @@ TEST_CASE("a record that is not there is empty, and one that was written is read
   CHECK(!again.at("99-from-a-later-course").check);
 }
 
-TEST_CASE("a check replaces the one before; the best score and the hints stay") {
+TEST_CASE("a check replaces the previous one; the best score and the hints stay") {
   ProgressRecord record;
   record_check(record, result_of(Status::passed, Status::passed, 10), digest);
   raise_hint_level(record, "01-move", "a", 3);
@@ -65,7 +65,7 @@ TEST_CASE("hint levels rise and never fall") {
   CHECK(hint_level(record, "01-move", "b") == 0);
 }
 
-TEST_CASE("a pass counts for the very files that were judged, and for every case that the step has now") {
+TEST_CASE("a pass counts only for the judged files, and for all current cases of the step") {
   const TemporaryFolder folder;
   const std::vector<std::string> files = {"move.cpp", "move.glsl"};
   write_file(folder.path() / "move.cpp", std::string_view("int a;\n"));
@@ -90,7 +90,7 @@ TEST_CASE("a pass counts for the very files that were judged, and for every case
   CHECK(!has_passed(record.at("01-move"), {"a", "b"}, judged));
 }
 
-TEST_CASE("a broken record is refused with the file, the member and the way out") {
+TEST_CASE("a broken record is refused with the file, the member and a fix") {
   const TemporaryFolder folder;
   const auto file = folder.path() / "progress.json";
   struct Row {

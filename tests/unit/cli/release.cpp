@@ -1,4 +1,4 @@
-// What a release of a small project holds, and what not.
+// The contents of a release of a small project.
 #include "cli/grader/release_contents.hpp"
 
 #include "base/file.hpp"
@@ -158,7 +158,7 @@ bool anywhere(const Release& release, const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a release holds its list and nothing else") {
+TEST_CASE("a release contains exactly its list") {
   const Project project;
   SECTION("one step") {
     const Release release = project.release({move});
@@ -209,7 +209,7 @@ TEST_CASE("a release holds its list and nothing else") {
   }
 }
 
-TEST_CASE("of a hidden case, a solution and a patch there is no trace") {
+TEST_CASE("a release contains nothing of hidden cases, solutions and patches") {
   const Release release = Project().release(course);
   for (const char* trace : {"far-and-secret", "go_in_secret", "Nobody may see this", "\"hidden\"", secret,
                             shader_secret, ".patch", "spelling", "loop", ">>> student", "a mistake that is no more"}) {
@@ -221,12 +221,12 @@ TEST_CASE("of a hidden case, a solution and a patch there is no trace") {
   CHECK(anywhere(release, "It looks."));
 }
 
-TEST_CASE("cases without a hidden one are copied as they stand") {
+TEST_CASE("a case file without hidden cases is copied unchanged") {
   const Project project;
   CHECK(visible_cases(project.folders.case_file("02-light")).text == cases_of_light);
 }
 
-TEST_CASE("a line of a solution stops a release, wherever it stands") {
+TEST_CASE("a solution line in any file stops a release") {
   const Project project;
   SECTION("in a hint of a mistake") {
     project.write(
@@ -242,18 +242,18 @@ TEST_CASE("a line of a solution stops a release, wherever it stands") {
     project.write("handouts/01-move.md", secret);
     CHECK(mentions(error_of([&] { project.release({move}); }), {"01-move.md", secret}));
   }
-  SECTION("unless everybody is given it") {
+  SECTION("unless it is in the given code") {
     project.write("common/given.hpp", secret);
     CHECK(error_of([&] { project.release({move}); }).empty());
   }
-  SECTION("unless it says too little") {
+  SECTION("unless it is too short") {
     project.write("solutions/01-move/move.cpp", marked("return false;"));
     project.write("cmake/steps.cmake", "return false;");
     CHECK(error_of([&] { project.release({move}); }).empty());
   }
 }
 
-TEST_CASE("what git does not know stays behind") {
+TEST_CASE("untracked files are not released") {
   const Project project;
   const auto git = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"git", "-C", project.folder.path().string()});
@@ -273,7 +273,7 @@ TEST_CASE("what git does not know stays behind") {
   CHECK(names_of(release) == always + of_move + skeletons_of_move + cases_files_of_move);
 }
 
-TEST_CASE("a project that is not whole makes no release") {
+TEST_CASE("an incomplete project cannot be released") {
   struct Row {
     const char *name, *file, *text, *why;  ///< no text: the file is removed
   };

@@ -1,4 +1,4 @@
-// Names that a release changes in a student's files: whole tokens, of the step that they belong to.
+// Renamed identifiers in a student's files: whole tokens, only in their step.
 #include "cli/student/renames.hpp"
 
 #include "base/file.hpp"
@@ -27,7 +27,7 @@ TEST_CASE("whole tokens are renamed, in the files of their step") {
   CHECK(renamed("lit", "02-light", renames) == "lit");
 }
 
-TEST_CASE("a file of renames is read line by line, and a broken line is named") {
+TEST_CASE("a file of renames is read line by line, and an invalid line is named") {
   const TemporaryFolder folder;
   const auto file = folder.path() / "renames.txt";
   CHECK(read_renames(file).empty());

@@ -45,7 +45,7 @@ TEST_CASE("a student's file is found by its path, its step or its name") {
   CHECK(!error("").empty());
 }
 
-TEST_CASE("a reset keeps what was there under a name that nothing has") {
+TEST_CASE("a reset keeps the old file under an unused name") {
   const TemporaryFolder root;
   const ProjectFolders folders{.root = root.path(), .build = {}};
   const StudentFile file{course_of_files[0], "move.cpp"};

@@ -1,4 +1,4 @@
-// A student's files under releases: given, replaced, merged, put beside, and never lost.
+// Updates of a student's files by releases: created, replaced, merged, put beside, never lost.
 #include "cli/student/skeleton_update.hpp"
 
 #include <cstdlib>
@@ -69,7 +69,7 @@ TEST_CASE("without skeletons there is nothing to do") {
   CHECK(fs::is_empty(project.folder.path()));
 }
 
-TEST_CASE("a missing file is given, once, and again where it was deleted") {
+TEST_CASE("a missing file is created, and again if it was deleted") {
   const Unpacked project;
   project.release(first);
   CHECK(mentions(project.update().at(0), {"steps/01-move/move.cpp"}));
@@ -87,7 +87,7 @@ TEST_CASE("a missing file is given, once, and again where it was deleted") {
   CHECK(project.state() == SkeletonState::edited);
 }
 
-TEST_CASE("an untouched file becomes the new skeleton") {
+TEST_CASE("an untouched file is replaced by the new skeleton") {
   const Unpacked project;
   project.release(first);
   project.update();
@@ -98,7 +98,7 @@ TEST_CASE("an untouched file becomes the new skeleton") {
   CHECK(project.beside(".before-merge") == "(none)");
 }
 
-TEST_CASE("a file that is the new skeleton already stays without a word") {
+TEST_CASE("a file that already is the new skeleton is not reported") {
   const Unpacked project;
   project.release(first);
   project.update();
@@ -126,7 +126,7 @@ TEST_CASE("changes of the student and of the release are merged, and the student
     CHECK(project.beside(".before-merge") == edited);
     CHECK(project.beside(".before-merge-2") == both);
   }
-  SECTION("a run that was cut off before it had noted what was given ends the same") {
+  SECTION("a run that is interrupted before recording the given files has the same result") {
     write_file(project.folders.given() / skeleton, first);
     CHECK(project.update().empty());
     CHECK(read_file(project.mine()) == both);
@@ -134,7 +134,7 @@ TEST_CASE("changes of the student and of the release are merged, and the student
   }
 }
 
-TEST_CASE("where both have changed the same lines the new skeleton lies beside") {
+TEST_CASE("if both have changed the same lines, the new skeleton is put beside the file") {
   const Unpacked project;
   project.release(first);
   project.update();
@@ -154,7 +154,7 @@ TEST_CASE("where both have changed the same lines the new skeleton lies beside")
   CHECK(project.beside(".new-2") == third);
 }
 
-TEST_CASE("without git the new skeleton lies beside an edited file, and replaces an untouched one") {
+TEST_CASE("without git, the new skeleton is put beside an edited file, and replaces an untouched one") {
   const NoPrograms without_git;
   REQUIRE_FALSE(has_git());
   const Unpacked project;
@@ -176,7 +176,7 @@ TEST_CASE("without git the new skeleton lies beside an edited file, and replaces
   }
 }
 
-TEST_CASE("a file of which it is not known what was given stays") {
+TEST_CASE("a file without a record of its given version is kept") {
   const Unpacked project;  // a release unpacked afresh, and last week's work copied into it
   project.release(second);
   project.edit(edited);
@@ -186,7 +186,7 @@ TEST_CASE("a file of which it is not known what was given stays") {
   CHECK(project.update().empty());
 }
 
-TEST_CASE("names that a release changes are changed in the student's file, once") {
+TEST_CASE("renamed identifiers are renamed in the student's file, once") {
   const Unpacked project;
   const auto renames = project.folders.steps() / "renames.txt";
   project.release("int move() {\n  return 0;\n}\n\nint stay();\n");
@@ -202,14 +202,14 @@ TEST_CASE("names that a release changes are changed in the student's file, once"
           "// What it does.\nint shift() {\n  return helper;\n}\n\nint stay() { return shift(); }\n");
     CHECK(project.beside(".before-merge") == "int move() {\n  return helper;\n}\n\nint stay() { return move(); }\n");
   }
-  SECTION("with the skeleton as it was but for the name, and without git") {
+  SECTION("with a skeleton that differs only in the name, without git") {
     const NoPrograms none;
     project.release("int shift() {\n  return 0;\n}\n\nint stay();\n");
     write_file(renames, std::string_view("01-move move shift\n"));
     project.update();
     CHECK(read_file(project.mine()) == "int shift() {\n  return helper;\n}\n\nint stay() { return shift(); }\n");
   }
-  SECTION("where only the student's own lines hold the name") {
+  SECTION("if only the student's lines contain the name") {
     write_file(renames, std::string_view("01-move helper tool\n"));
     project.update();
     CHECK(read_file(project.mine()) == "int move() {\n  return tool;\n}\n\nint stay() { return move(); }\n");
@@ -219,7 +219,7 @@ TEST_CASE("names that a release changes are changed in the student's file, once"
   }
 }
 
-TEST_CASE("where a release has written only comments anew, the student's lines stay") {
+TEST_CASE("if a release changes only comments, the student's lines stay") {
   if (!has_git()) SKIP_TEST("there is no git");
   const Unpacked project;
   project.release("// a\nint move() {\n  // TODO: move\n  return 0;\n}\n");

@@ -1,4 +1,4 @@
-// Patches on a solution: made of two folders, and renewed where the solution has changed. Entries in their lists.
+// Patches of a solution: made from two folders, and updated if the solution changes. Entries in their lists.
 #include "cli/author/solution_patch.hpp"
 
 #include "base/file.hpp"
@@ -41,7 +41,7 @@ Sources patched(const Sources& sources, const std::string& patch) {
 
 }  // namespace
 
-TEST_CASE("a patch has the paths a/FILE and b/FILE, and makes what it was made of") {
+TEST_CASE("a patch has the paths a/FILE and b/FILE, and reproduces the edited files") {
   const Sources mistaken = with("one\ntwo\n3\nfour\nfive\nsix\nseven\n");
   const std::string patch = patch_between(solution, mistaken);
   CHECK(patch.starts_with("--- a/a.cpp\n+++ b/a.cpp\n@@ -1,6 +1,6 @@\n"));
@@ -50,7 +50,7 @@ TEST_CASE("a patch has the paths a/FILE and b/FILE, and makes what it was made o
   CHECK(mentions(error_of([] { patch_between(solution, {{"a.cpp", ""}}); }), {"adds or removes none", "b.glsl"}));
 }
 
-TEST_CASE("patches follow a solution that has changed elsewhere, and say where they cannot") {
+TEST_CASE("patches are merged with a changed solution, and conflicts are reported") {
   using State = Renewed::State;
   const Sources mistaken = with("one\ntwo\nthree\nfour\nfive\n6\nseven\n");
   CHECK(renewed(mistaken, solution).state == State::as_it_was);

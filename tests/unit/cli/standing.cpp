@@ -40,7 +40,7 @@ struct Course {
 
 }  // namespace
 
-TEST_CASE("the standing follows from the last full check and the files that are there") {
+TEST_CASE("the progress follows from the last full check and the current files") {
   Course c;
   CHECK(in_words(c.all()[0]) == "not checked yet");
   CHECK(progress_line(c.all(), true) == "00 \u00b7  01 \u00b7");
@@ -65,7 +65,7 @@ TEST_CASE("the standing follows from the last full check and the files that are 
   CHECK(in_words(c.all()[1]) == "passed, edited since");
 }
 
-TEST_CASE("a goal and the reading are quoted from the handout") {
+TEST_CASE("the goal and the sections to read are quoted from the handout") {
   Course c;
   CHECK(goal_of(c.folders, c.course[0]) == "Hello");
   CHECK(handout_of(c.folders, c.course[0]) == "");

@@ -1,4 +1,4 @@
-// Each thing that a step must have is asked for where it is missing, with the file and what to add.
+// Missing parts of a step are reported, with the file and what to add.
 #include "cli/author/step_rules.hpp"
 
 #include "base/file.hpp"
@@ -40,7 +40,7 @@ measure::SweepResult swept(const std::string& name, bool handout) {
 
 }  // namespace
 
-TEST_CASE("tests of a step are asked for") {
+TEST_CASE("missing tests of a step are reported") {
   RuledStep made;
   CHECK(problems_of_tests(made.folders, made.step).empty());  // a release has no tests
   made.put("tests/steps/required_other.cpp", "TEST_CASE(\"x\", \"[required][04-other]\") {}");
@@ -54,7 +54,7 @@ TEST_CASE("tests of a step are asked for") {
   CHECK(problems_of_tests(made.folders, made.step).empty());
 }
 
-TEST_CASE("hints and the words of the handout are asked for") {
+TEST_CASE("missing hints and missing parts of the handout are reported") {
   RuledStep made;
   made.put("tests/cases/05-mist/hints.json",
            R"({"schema": 1, "step": "05-mist", "functions": {"through_mist": ["two", "three"]}})");
@@ -71,7 +71,7 @@ TEST_CASE("hints and the words of the handout are asked for") {
   CHECK(asks(problems_of_cases(made.folders, made.step), {"hints.json", "through_mist"}));
 }
 
-TEST_CASE("second spellings, variants and words are asked for") {
+TEST_CASE("missing second spellings, variants and texts are reported") {
   RuledStep made;
   made.put("tests/mistakes/05-mist/thick.patch", "-");
   made.put("tests/mistakes/05-mist/thick.other.patch", "-");
@@ -92,7 +92,7 @@ TEST_CASE("second spellings, variants and words are asked for") {
   CHECK(asks(problems_of_mistakes(made.folders, made.step), {"mistakes.json", "'thick'", "--spelling --begin"}));
 }
 
-TEST_CASE("slopes, expectations and a plot for the handout are asked for") {
+TEST_CASE("missing slopes, expectations and plots are reported") {
   RuledStep made;
   made.put("handouts/05-mist.md", "![What it shows](plots/05-pieces.svg)");
   measure::StepMeasured measured{.step = "05-mist"};

@@ -1,4 +1,4 @@
-// The rows of all steps, put into their tables.
+// The rows of all steps in their tables.
 #include "cli/author/step_tables.hpp"
 
 #include "base/file.hpp"
@@ -34,7 +34,7 @@ struct Tabled {
 
 }  // namespace
 
-TEST_CASE("rows follow from cases, handouts and the words of a step") {
+TEST_CASE("rows are made from cases, handouts and the texts of a step") {
   const Tabled project;
   CHECK(rows_of_readme(project.folders, project.course) ==
         "| ![A grey hill](docs/pictures/05-mist.png) | **05-mist** ([handout](handouts/05-mist.md)) | 6 | Air. |\n"
@@ -45,7 +45,7 @@ TEST_CASE("rows follow from cases, handouts and the words of a step") {
   CHECK(mentions(error_of([&] { rows_of_readme(project.folders, project.course); }), {"05-mist.json", "sentence"}));
 }
 
-TEST_CASE("rows take the place of others between two lines") {
+TEST_CASE("rows replace the old rows between two marker lines") {
   const std::string text = "before\n" + begins + "| a |\n|---|\n| old |\n" + ends + "after\n";
   const std::string wanted = "before\n" + begins + "| a |\n|---|\n| new |\n" + ends + "after\n";
   CHECK(with_rows(text, "| new |\n", "README.md") == wanted);

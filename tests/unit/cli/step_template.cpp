@@ -1,4 +1,4 @@
-// A new step's names, what is refused, and the files that are made: all of them or none.
+// A new step: names, refused input, and files, which are made all or none.
 #include "cli/author/step_template.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ TEST_CASE("a step's names follow from its number and name") {
   CHECK(names_of_step("13-fog", "Fog, and what is in it").title == "Fog, and what is in it");
 }
 
-TEST_CASE("names that cannot be a step's are refused with what is allowed") {
+TEST_CASE("invalid step names are refused with what is allowed") {
   const struct {
     const char *step, *title, *says;
   } rows[] = {
@@ -78,7 +78,7 @@ TEST_CASE("placeholders are filled in, and unknown ones refused") {
   CHECK(mentions(error_of([&] { filled_in("@NAMES@", names, "main.cpp"); }), {"main.cpp", "@NAMES@", "@NAME@"}));
 }
 
-TEST_CASE("a new step has all files that a step has") {
+TEST_CASE("a new step has all files of a step") {
   const StepFiles files = files_of("13-old-film");
   for (const char* path :
        {"steps/13-old-film/old_film.hpp", "steps/13-old-film/README.md", "steps/13-old-film/given/step.cmake",
@@ -99,7 +99,7 @@ TEST_CASE("a new step has all files that a step has") {
   CHECK(mentions(error_of([] { files_of_step("/nowhere", names_of_step("13-fog", "")); }), {"/nowhere", "templates"}));
 }
 
-TEST_CASE("a step that is there, in whole or in part, is not overwritten") {
+TEST_CASE("an existing step, complete or not, is not overwritten") {
   const SmallCourse project;
   CHECK(project.refused("13-fog") == "");
   CHECK(mentions(project.refused("03-fog"), {"steps/03-light", "number 03", "free one is 05"}));
@@ -109,7 +109,7 @@ TEST_CASE("a step that is there, in whole or in part, is not overwritten") {
   CHECK(mentions(project.refused("13-fog"), {"handouts/13-fog.md"}));
 }
 
-TEST_CASE("a step that is not committed must be finished before another is begun") {
+TEST_CASE("a step must be committed before another is created") {
   const SmallCourse project;
   const auto git = [&](std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), {"git", "-C", project.folder.path().string(), "-c", "user.name=a", "-c",
@@ -130,7 +130,7 @@ TEST_CASE("a step that is not committed must be finished before another is begun
   CHECK(project.refused("13-fog") == "");
 }
 
-TEST_CASE("all files of a step are written, or none and no folder") {
+TEST_CASE("the files of a step are written all or none, without empty folders") {
   const TemporaryFolder folder;
   write_step(folder.path(), {{"a/b/one.txt", "1"}, {"a/two.txt", "2"}});
   CHECK(read_file(folder.path() / "a/b/one.txt") == "1");

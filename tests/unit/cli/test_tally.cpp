@@ -4,7 +4,7 @@
 
 using namespace atelier;
 
-TEST_CASE("Catch2's summary is read in both generations") {
+TEST_CASE("the summaries of Catch2 versions 2 and 3 are read") {
   struct Row {
     const char *name, *output;
     int passed, failed, skipped;

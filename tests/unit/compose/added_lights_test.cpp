@@ -1,4 +1,4 @@
-// Lights that a feature adds to a scene shine as the scene's own do.
+// Lights that a feature adds equal the scene's own lights.
 #include "catch.hpp"
 #include "place.hpp"
 
@@ -19,7 +19,7 @@ class Lamp : public Feature {
 
 }  // namespace
 
-TEST_CASE("a light that a feature adds shines as the scene's own, with its shadows", "[compose]") {
+TEST_CASE("a light added by a feature equals a scene light, with its shadows", "[compose]") {
   Place place;
   Scene scene = make_scene(point_scenes(), "lantern", place.settings);
   FeatureList with_lamp = features_of(4);

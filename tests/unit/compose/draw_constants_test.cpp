@@ -1,5 +1,5 @@
-// What is constant over a draw reaches the fragment stage by uniforms or by varyings: the pictures of steps 02 to 04
-// are the same to the last bit.
+// Draw constants reach the fragment stage as uniforms or as varyings: the pictures of steps 02 to 04 are the same to
+// the last bit.
 #include "place.hpp"
 
 namespace {
@@ -69,7 +69,7 @@ TEST_CASE("constants by varyings draw every variant of the shaders as uniforms d
   }
 }
 
-TEST_CASE("lights that are too many for varyings stay uniforms, and shine", "[compose]") {
+TEST_CASE("lights that do not fit into varyings stay uniforms", "[compose]") {
   Place place;
   place.settings.set("light.cull", "false");
   const Scene scene = crowded(place);

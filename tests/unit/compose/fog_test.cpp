@@ -1,5 +1,4 @@
-// A fog laid over the scenes of steps 02, 03 and 04: a feature of ten lines, and nothing that another feature has done
-// is lost under it.
+// Fog over the scenes of steps 02, 03 and 04: a feature of ten lines, which keeps the effects of the other features.
 #include <cmath>
 
 #include "image/colour.hpp"
@@ -26,7 +25,7 @@ constexpr const char* fog_glsl =
 
 }  // namespace
 
-TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[compose]") {
+TEST_CASE("fog over a scene keeps the shadows", "[compose]") {
   const struct {
     int step;
     const char* scene;
@@ -58,7 +57,7 @@ TEST_CASE("a fog over a scene changes nothing but what it is: shadows stay", "[c
   }
 }
 
-TEST_CASE("the scenes that a fog is laid over have shadows in them", "[compose]") {
+TEST_CASE("the scenes of the fog test contain shadows", "[compose]") {
   Place place;
   for (const int step : {3, 4}) {
     INFO("step 0" << step);
@@ -71,7 +70,7 @@ TEST_CASE("the scenes that a fog is laid over have shadows in them", "[compose]"
   }
 }
 
-TEST_CASE("a fog is seen in the picture that a student's function has encoded, too", "[compose]") {
+TEST_CASE("fog is visible also in a picture encoded by a student's function", "[compose]") {
   Place place({{.name = "fog.colour", .fallback = Colour{0.5f, 0.625f, 0.75f}, .high = 1}});
   write_file(place.folder.path() / "05-fog" / "fog.glsl", std::string_view(fog_glsl));
   const Scene scene = make_scene(blinn_phong_scenes(), "teapot", place.settings);

@@ -1,4 +1,4 @@
-// A view inside a view has the shadows that it would have alone: what features draw before a view is drawn for each.
+// A view inside a view has the same shadows as alone: shadow maps are drawn for each view.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
@@ -54,7 +54,7 @@ double largest_difference(const Image& a, const Image& b) {
 
 }  // namespace
 
-TEST_CASE("a window that shows what is behind it changes nothing, however maps are kept", "[compose]") {
+TEST_CASE("a portal to the view behind it changes nothing, for every shadow-map update mode", "[compose]") {
   for (const char* update : {"when-moved", "always"})
     for (const int step : {3, 4}) {
       INFO("step 0" << step << ", shadow.update " << update);

@@ -72,7 +72,7 @@ double codes_apart(const Image& a, const Image& b, Encoding encoding) {
 
 }  // namespace
 
-TEST_CASE("every level of a compact texture holds what it held, to the rounding of codes", "[compact_texture]") {
+TEST_CASE("every level of a compact texture keeps its texels, up to rounding to 8 bits", "[compact_texture]") {
   const std::vector<glm::ivec2> sizes = {
       {37, 21}, {18, 10}, {9, 5}, {4, 2}};  // not down to 1x1: the highest level is 3
   on_every_context([&](Gl& gl) {
@@ -96,7 +96,7 @@ TEST_CASE("every level of a compact texture holds what it held, to the rounding 
   });
 }
 
-TEST_CASE("a compact texture keeps how it is read, and what is bound", "[compact_texture]") {
+TEST_CASE("making a texture compact keeps its parameters and the bindings", "[compact_texture]") {
   on_every_context([](Gl& gl) {
     const GlTexture texture = floats(gl, {{8, 4}, {4, 2}, {2, 1}, {1, 1}}), bound = floats(gl, {{1, 1}});
     const std::int64_t other = 16, held = gl.counts().texture_bytes - other;
@@ -114,7 +114,7 @@ TEST_CASE("a compact texture keeps how it is read, and what is bound", "[compact
   });
 }
 
-TEST_CASE("what is no 2D texture is refused or left alone", "[compact_texture]") {
+TEST_CASE("anything but a 2D texture is refused or not changed", "[compact_texture]") {
   on_every_context([](Gl& gl) {
     store_in_8_bits(gl, 0, Encoding::linear);  // upload_texture is not written yet
     const GlTexture empty(gl);

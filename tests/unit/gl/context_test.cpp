@@ -56,7 +56,7 @@ TEST_CASE("Kinds of contexts are named and parsed") {
   }
 }
 
-TEST_CASE("A context has OpenGL 3.3 core or newer and says what draws") {
+TEST_CASE("A context has OpenGL 3.3 core or newer and names the driver") {
   on_every_context([](Gl& gl) {
     CHECK(gl.version() >= 33);
     CHECK(mentions(gl.description(), {"Core Profile", ", "}));
@@ -69,7 +69,7 @@ TEST_CASE("A context has OpenGL 3.3 core or newer and says what draws") {
   });
 }
 
-TEST_CASE("The default is the first kind that is there") {
+TEST_CASE("The default is the first available kind") {
   const auto context = make_headless_context();
   CHECK(context->kind() != ContextKind::window);
 }
@@ -85,7 +85,7 @@ TEST_CASE("A thread has one context at a time, and each thread its own") {
   CHECK(version >= 3);
 }
 
-TEST_CASE("Contexts made and ended fifty times leave nothing behind") {
+TEST_CASE("Creating and destroying contexts fifty times leaks nothing") {
   for (const ContextKind kind : {ContextKind::osmesa, ContextKind::egl}) {
     INFO(to_string(kind));
     const auto round = [&] {
@@ -101,13 +101,13 @@ TEST_CASE("Contexts made and ended fifty times leave nothing behind") {
   }
 }
 
-TEST_CASE("Without a display a window's context says how to get on") {
+TEST_CASE("Without a display, a window's context suggests a fix") {
   const WithoutVariable x11("DISPLAY"), wayland("WAYLAND_DISPLAY");
   CHECK(mentions(error_of([] { make_headless_context(ContextKind::window); }), {"xvfb-run", "osmesa", "egl"}));
   CHECK(error_of([] { make_headless_context(); }).empty());  // the failed one has not kept the thread
 }
 
-TEST_CASE("No scale is told where no window's context is current") {
+TEST_CASE("Without a current window context no scale is reported") {
   CHECK(mentions(error_of([] { window_content_scale(); }), {"no window's context"}));
   const auto context = make_headless_context();
   if (context->kind() != ContextKind::window)

@@ -1,4 +1,4 @@
-// Names for what is drawn and for what it is drawn with: what reaches the driver, and what is counted for a group.
+// Debug groups and labels: what reaches the driver, and what is counted for a group.
 #include "gl/debug.hpp"
 
 #include <fmt/core.h>
@@ -94,7 +94,7 @@ std::string written_during(Action&& action) {
 
 }  // namespace
 
-TEST_CASE("groups count what is made in them, and in what they hold", "[debug]") {
+TEST_CASE("groups count their own work and that of nested groups", "[debug]") {
   on_every_context([](Gl& gl) {
     Easel easel(gl);
     {
@@ -142,7 +142,7 @@ TEST_CASE("groups count what is made in them, and in what they hold", "[debug]")
   });
 }
 
-TEST_CASE("a restart forgets the groups that have ended, and counts anew in those that have not", "[debug]") {
+TEST_CASE("a restart removes ended groups, and resets the counts of open ones", "[debug]") {
   on_every_context([](Gl& gl) {
     Easel easel(gl);
     { const DebugGroup ended(gl, "ended"); }
@@ -161,7 +161,7 @@ TEST_CASE("a restart forgets the groups that have ended, and counts anew in thos
   });
 }
 
-TEST_CASE("groups end with their scope, by an exception too", "[debug]") {
+TEST_CASE("groups end with their scope, also after an exception", "[debug]") {
   on_every_context([](Gl& gl) {
     gl.restart_counts();
     try {
@@ -177,7 +177,7 @@ TEST_CASE("groups end with their scope, by an exception too", "[debug]") {
   });
 }
 
-TEST_CASE("neither many groups, deep ones nor long names are an error", "[debug]") {
+TEST_CASE("many groups, deep nesting and long names are not errors", "[debug]") {
   on_every_context([](Gl& gl) {
     Easel easel(gl);
     const std::string long_name(std::size_t(gl.debug_limits().message) + 100, 'x');
@@ -246,7 +246,7 @@ TEST_CASE("labels reach the driver", "[debug]") {
   });
 }
 
-TEST_CASE("a label is cut to what the driver allows, between characters", "[debug]") {
+TEST_CASE("a label is truncated to the driver's limit, between characters", "[debug]") {
   on_every_context([](Gl& gl) {
     if (!gl.ObjectLabel.call) SKIP_TEST("this driver has no KHR_debug");
     const GlProgram program(gl);
@@ -275,7 +275,7 @@ TEST_CASE("a label is cut to what the driver allows, between characters", "[debu
   });
 }
 
-TEST_CASE("what is no object gets no label and raises no error", "[debug]") {
+TEST_CASE("an invalid object gets no label and raises no error", "[debug]") {
   on_every_context([](Gl& gl) {
     GLuint deleted = 0;
     {
@@ -309,7 +309,7 @@ TEST_CASE("what is no object gets no label and raises no error", "[debug]") {
   });
 }
 
-TEST_CASE("without KHR_debug nothing reaches the driver, and groups are counted all the same", "[debug]") {
+TEST_CASE("without KHR_debug nothing reaches the driver, but groups are counted", "[debug]") {
   on_every_context([](Gl& gl) {
     const bool there = gl.PushDebugGroup.call;
     gl.ObjectLabel.call = nullptr;
@@ -327,7 +327,7 @@ TEST_CASE("without KHR_debug nothing reaches the driver, and groups are counted 
   });
 }
 
-TEST_CASE("debug functions are there where the driver says so", "[debug]") {
+TEST_CASE("debug functions are loaded if the driver announces them", "[debug]") {
   on_every_context([](Gl& gl) {
     const bool expected = gl.version() >= 43 || gl.has_extension("GL_KHR_debug");
     CHECK((gl.ObjectLabel.call != nullptr) == expected);
@@ -341,7 +341,7 @@ TEST_CASE("debug functions are there where the driver says so", "[debug]") {
   });
 }
 
-TEST_CASE("names are for tools: nothing of them is printed", "[debug]") {
+TEST_CASE("group names are not printed", "[debug]") {
   on_every_context([](Gl& gl) {
     const std::string written = written_during([&] {
       Easel easel(gl);

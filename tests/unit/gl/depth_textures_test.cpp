@@ -25,7 +25,7 @@ TEST_CASE("Depth textures hold the depths that they were given") {
   });
 }
 
-TEST_CASE("What fills no whole layer and no six faces is refused") {
+TEST_CASE("Incomplete layers and cubes are refused") {
   on_every_context([](Gl& gl) {
     const std::vector<float> five(5, 0.5f);
     CHECK(mentions(error_of([&] { make_depth_layers(gl, 2, five); }), {"5 depths", "2 x 2"}));

@@ -113,7 +113,7 @@ TEST_CASE("The sizes of texels are those of their formats") {
   }
 }
 
-TEST_CASE("OpenGL's errors become one with a name, and are cleared") {
+TEST_CASE("OpenGL errors become one named error, and are cleared") {
   on_every_context([](Gl& gl) {
     gl.Enable(0xFFFF);
     CHECK(

@@ -1,4 +1,4 @@
-// What the counts say of small frames whose cost is known.
+// The counts of small frames whose cost is known.
 #include <cstdint>
 #include <vector>
 
@@ -48,7 +48,7 @@ struct Drawing {
 
 }  // namespace
 
-TEST_CASE("attributes count where a shader reads them", "[meter]") {
+TEST_CASE("attributes count if a shader reads them", "[meter]") {
   on_every_context([](Gl& gl) {
     const std::string all =
         "layout(location = 0) in vec3 a; layout(location = 1) in vec3 b; layout(location = 5) in vec2 c;\n";
@@ -77,7 +77,7 @@ TEST_CASE("attributes count where a shader reads them", "[meter]") {
   });
 }
 
-TEST_CASE("textures count where a shader looks them up", "[meter]") {
+TEST_CASE("textures count if a shader samples them", "[meter]") {
   on_every_context([](Gl& gl) {
     const GlTexture red = texture(gl, GL_RGBA8, 4, 4), green = texture(gl, GL_RGBA8, 4, 4);
     const GlProgram blind = program(gl);
@@ -125,7 +125,7 @@ TEST_CASE("variants are the programs drawn with, switches the changes between th
   });
 }
 
-TEST_CASE("a pass is what is drawn between two bindings", "[meter]") {
+TEST_CASE("a pass is the drawing between two framebuffer bindings", "[meter]") {
   on_every_context([](Gl& gl) {
     const GlProgram plain = program(gl);
     Drawing drawing(gl);
@@ -184,7 +184,7 @@ TEST_CASE("renderbuffers are targets too", "[meter]") {
   });
 }
 
-TEST_CASE("several samples a pixel are memory, and to resolve them is a pass", "[meter]") {
+TEST_CASE("multiple samples per pixel count as memory, resolving them as a pass", "[meter]") {
   on_every_context([](Gl& gl) {
     const TargetSpec spec{.width = 10, .height = 10, .colour = ColourFormat::srgb8, .samples = 4};
     const Target target(gl, spec);
@@ -201,7 +201,7 @@ TEST_CASE("several samples a pixel are memory, and to resolve them is a pass", "
   });
 }
 
-TEST_CASE("texture bytes are what textures hold, with all levels and layers, and without targets", "[meter]") {
+TEST_CASE("texture bytes include all levels and layers, but not targets", "[meter]") {
   on_every_context([](Gl& gl) {
     CHECK(gl.counts().texture_bytes == 0);
     {

@@ -7,7 +7,7 @@
 using namespace atelier;
 using atelier::test::on_every_context;
 
-TEST_CASE("OpenGL's state is told as it was set") {
+TEST_CASE("OpenGL state is read back as it was set") {
   on_every_context([](Gl& gl) {
     gl.DepthFunc(GL_GEQUAL);
     CHECK(integer_of(gl, GL_DEPTH_FUNC) == GL_GEQUAL);
@@ -16,7 +16,7 @@ TEST_CASE("OpenGL's state is told as it was set") {
   });
 }
 
-TEST_CASE("a texture's parameters come in the order that they are asked for") {
+TEST_CASE("a texture's parameters are returned in the requested order") {
   on_every_context([](Gl& gl) {
     const GlTexture texture(gl);
     gl.BindTexture(GL_TEXTURE_2D, texture.id());

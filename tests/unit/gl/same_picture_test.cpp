@@ -1,4 +1,4 @@
-// OSMesa and EGL reach the same driver by two ways: their pictures must be the same, bit by bit.
+// OSMesa and EGL use the same driver: their pictures must be the same, bit by bit.
 #include <cstring>
 
 #include "catch.hpp"

@@ -1,4 +1,4 @@
-// Logs as drivers write them. The forms are those of Mesa 22.3, NVIDIA 535 and Apple's and ANGLE's compilers.
+// Drivers' logs, in the formats of Mesa 22.3, NVIDIA 535 and Apple's and ANGLE's compilers.
 #include "catch.hpp"
 #include "gl/shader.hpp"
 
@@ -48,7 +48,7 @@ TEST_CASE("Each driver's log becomes file, line and message") {
   }
 }
 
-TEST_CASE("A log without end is cut where nobody reads on") {
+TEST_CASE("A very long log is truncated") {
   std::string log;
   for (int message = 1; message <= 1000; ++message) log += "0:2(1): error: x" + std::to_string(message) + "\n";
   const std::string translated = translate_shader_log(log, two_files());

@@ -1,4 +1,4 @@
-// What the assembler makes of files, without a driver.
+// The assembly of shader files, without a driver.
 #include <map>
 
 #include "base/file.hpp"
@@ -50,7 +50,7 @@ std::string origins(const ShaderSource& source) {
 
 }  // namespace
 
-TEST_CASE("The version and the defines stand in front, in order") {
+TEST_CASE("The version and the defines come first, in order") {
   const Files files(FileMap{{"main.glsl", "void main() {}\n"}});
   const ShaderSource source = files.assemble("main.glsl", {{"ZED", "1"}, {"ALPHA", "vec3(1, 2, 3)"}, {"FLAG", ""}});
   CHECK(source.text == head + "#define ALPHA vec3(1, 2, 3)\n#define FLAG \n#define ZED 1\nvoid main() {}\n");
@@ -59,14 +59,14 @@ TEST_CASE("The version and the defines stand in front, in order") {
   CHECK(source.files[0].filename() == "main.glsl");
 }
 
-TEST_CASE("Every line knows the file that it is from") {
+TEST_CASE("Every line is mapped to its file") {
   const Files files(FileMap{{"main.glsl", "a\n#include \"sub/b.glsl\"\nc\n"}, {"sub/b.glsl", "b\n\n"}});
   const ShaderSource source = files.assemble();
   CHECK(source.text == head + "a\nb\n\nc\n");
   CHECK(origins(source) == "-:1 main.glsl:1 sub/b.glsl:1 sub/b.glsl:2 main.glsl:3");
 }
 
-TEST_CASE("A text that is no file includes files too") {
+TEST_CASE("A text that is not a file can include files") {
   const Files files(FileMap{{"b.glsl", "b\n"}});
   const ShaderSource source = assemble_shader_text([&](const std::string& name) { return files.find(name); },
                                                    "#include \"b.glsl\"\nx", "surface shader", {});
@@ -74,13 +74,13 @@ TEST_CASE("A text that is no file includes files too") {
   CHECK(origins(source) == "-:1 b.glsl:1 surface shader:2");
 }
 
-TEST_CASE("A text that includes a file has its defines first") {
+TEST_CASE("The defines of a text precede its includes") {
   CHECK(text_including("a.glsl") == "#include \"a.glsl\"\n");
   CHECK(text_including("a.glsl", {{"TWO", "2"}, {"ONE", "1"}}, "float f;\n") ==
         "#define ONE 1\n#define TWO 2\nfloat f;\n#include \"a.glsl\"\n");
 }
 
-TEST_CASE("Text is mended so that lines stay lines") {
+TEST_CASE("Line endings are normalised") {
   struct Row {
     const char* name;
     std::string text, assembled;
@@ -108,7 +108,7 @@ TEST_CASE("Text is mended so that lines stay lines") {
   }
 }
 
-TEST_CASE("An include is followed where the author means it, and only there") {
+TEST_CASE("An include is followed unless it is in a comment or not a directive") {
   struct Row {
     const char* name;
     std::string text;
@@ -148,12 +148,12 @@ TEST_CASE("Comments around an include are kept whole") {
   CHECK(origins(files.assemble()) == "-:1 main.glsl:1 main.glsl:2 b.glsl:1 main.glsl:2 main.glsl:3");
 }
 
-TEST_CASE("A name may hold what elsewhere begins a comment") {
+TEST_CASE("A file name may contain the start of a comment") {
   const Files files(FileMap{{"main.glsl", "#include \"sub//b.glsl\"\n"}, {"sub/b.glsl", "marker\n"}});
   CHECK(count(files.assemble().text, "marker") == 1);
 }
 
-TEST_CASE("A file is taken in once") {
+TEST_CASE("A file is included once") {
   struct Row {
     const char* name;
     FileMap files;
@@ -179,7 +179,7 @@ TEST_CASE("A file is taken in once") {
   }
 }
 
-TEST_CASE("What cannot be assembled is told with file and line") {
+TEST_CASE("Errors of assembly have file and line") {
   struct Row {
     const char* name;
     std::string text;
@@ -212,7 +212,7 @@ TEST_CASE("What cannot be assembled is told with file and line") {
   CHECK(mentions(error_of([&] { files.assemble("other.glsl"); }), {"other.glsl", "not found"}));
 }
 
-TEST_CASE("Directives in comments are nobody's business") {
+TEST_CASE("Directives in comments are ignored") {
   const Files files(FileMap{{"main.glsl", "// #version 450\n/*\n#extension all : enable\n*/\n"}});
   CHECK_NOTHROW(files.assemble());
 }

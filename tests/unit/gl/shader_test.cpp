@@ -1,4 +1,4 @@
-// What drivers make of shaders: errors at the author's line, and uniforms by name.
+// Compiling shaders: errors at the author's line, and uniforms by name.
 #include "gl/shader.hpp"
 
 #include "base/file.hpp"
@@ -39,7 +39,7 @@ Rgba drawn(Gl& gl, GLuint program) {
 
 }  // namespace
 
-TEST_CASE("A mistake is told at the author's line, through two levels of includes") {
+TEST_CASE("An error is reported at the author's line, through two levels of includes") {
   on_every_context([](Gl& gl) {
     const std::string lit = "// a comment\n#include \"deep/noise.glsl\"\nfloat lit() { return noise(); }\n";
     const std::string main = "#include \"lit.glsl\"\nout vec4 o;\nvoid main() {\n  o = vec4(lit());\n}\n";
@@ -97,7 +97,7 @@ TEST_CASE("Stages that do not link are named") {
   });
 }
 
-TEST_CASE("A refused shader leaves nothing bound or broken") {
+TEST_CASE("A refused shader leaves no binding and no error") {
   on_every_context([](Gl& gl) {
     for (int round = 0; round < 3; ++round) CHECK(refusal(gl, {{"main.glsl", "wrong\n"}}) != "");
     CHECK(drawn(gl, build_program(gl, shader_text(full_screen_vertex_text), shader_text(white)).id()) ==
@@ -105,7 +105,7 @@ TEST_CASE("A refused shader leaves nothing bound or broken") {
   });
 }
 
-TEST_CASE("A geometry shader takes part where it is given") {
+TEST_CASE("A geometry shader is used if it is given") {
   on_every_context([](Gl& gl) {
     const ShaderSource geometry = shader_text(
         "layout(triangles) in;\nlayout(triangle_strip, max_vertices = 3) out;\nflat out float v_seen;\n"
@@ -127,7 +127,7 @@ TEST_CASE("Defines reach the shader") {
   });
 }
 
-TEST_CASE("Uniforms of every type are set by name, and unused names are passed over") {
+TEST_CASE("Uniforms of every type are set by name, and unused names are ignored") {
   on_every_context([](Gl& gl) {
     const ShaderSource fragment = shader_text(
         "uniform int u_int;\nuniform bool u_bool;\nuniform float u_float;\nuniform vec2 u_two;\nuniform vec3 u_three;\n"

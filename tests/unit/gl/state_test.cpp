@@ -1,4 +1,4 @@
-// One list of state, from which every view, pass and probe starts.
+// The default state, from which every view, pass and probe starts.
 #include "gl/state.hpp"
 
 #include <array>
@@ -93,7 +93,7 @@ void disorder(Gl& gl, GLuint vertex_array, GLuint program) {
 
 }  // namespace
 
-TEST_CASE("whatever a function leaves behind, drawing starts from the state of a new context", "[state]") {
+TEST_CASE("drawing starts from default state, whatever a function has changed", "[state]") {
   const auto context = make_headless_context();
   Gl& gl = context->gl();
   const auto fresh = state_of(gl);

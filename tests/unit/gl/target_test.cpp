@@ -65,7 +65,7 @@ float through(Gl& gl, const Target& target, float value) {
 
 }  // namespace
 
-TEST_CASE("Floats come back as they were drawn, whatever they are") {
+TEST_CASE("All floats are read back as they were drawn") {
   on_every_context([](Gl& gl) {
     const float values[] = {0,
                             1,
@@ -94,7 +94,7 @@ TEST_CASE("Floats come back as they were drawn, whatever they are") {
   });
 }
 
-TEST_CASE("What a shader writes survives too: NaN, infinity, above one and below zero") {
+TEST_CASE("A shader's NaN, infinity, values above one and below zero are read back") {
   on_every_context([](Gl& gl) {
     const GlProgram program = build_program(
         gl, shader_text(full_screen_vertex_text),
@@ -112,7 +112,7 @@ TEST_CASE("What a shader writes survives too: NaN, infinity, above one and below
   });
 }
 
-TEST_CASE("Every size comes back with each pixel in its place and row 0 on top") {
+TEST_CASE("For every size, each pixel is read back in its place, with row 0 on top") {
   on_every_context([](Gl& gl) {
     const std::pair<int, int> sizes[] = {{1, 1},   {1, 7},     {7, 1},    {2, 3},    {3, 2},     {5, 5},
                                          {17, 31}, {641, 479}, {4096, 3}, {3, 4096}, {16384, 1}, {1, 16384}};
@@ -135,7 +135,7 @@ TEST_CASE("Every size comes back with each pixel in its place and row 0 on top")
   });
 }
 
-TEST_CASE("Reading is not led astray by what others have set") {
+TEST_CASE("Reading does not depend on other OpenGL state") {
   on_every_context([](Gl& gl) {
     const Target target(gl, {.width = 3, .height = 3, .depth = DepthFormat::depth32f}), other(gl, {});
     target.bind(gl);
@@ -158,7 +158,7 @@ TEST_CASE("Reading is not led astray by what others have set") {
   });
 }
 
-TEST_CASE("Making a target leaves what is bound") {
+TEST_CASE("Creating a target keeps the bindings") {
   on_every_context([](Gl& gl) {
     const Target first(gl, {.width = 8, .height = 8});
     first.bind(gl);
@@ -172,7 +172,7 @@ TEST_CASE("Making a target leaves what is bound") {
   });
 }
 
-TEST_CASE("Colour formats keep what their bits allow") {
+TEST_CASE("Colour formats have the precision of their bits") {
   struct Row {
     ColourFormat format;
     float value, kept;
@@ -199,7 +199,7 @@ TEST_CASE("Colour formats keep what their bits allow") {
   });
 }
 
-TEST_CASE("Colours between 0 and 1 come back with the error of their format") {
+TEST_CASE("Colours between 0 and 1 are read back with the error of their format") {
   struct Row {
     ColourFormat format;
     double (*error)(double kept, double drawn);
@@ -233,7 +233,7 @@ TEST_CASE("Colours between 0 and 1 come back with the error of their format") {
   });
 }
 
-TEST_CASE("srgb8 encodes whatever writes into it, and cuts at 0 and 1") {
+TEST_CASE("srgb8 encodes every write, and clamps to 0..1") {
   on_every_context([](Gl& gl) {
     const Target target(gl, {.width = 2, .height = 1, .colour = ColourFormat::srgb8, .depth = DepthFormat::none});
     // The exact code of 0.25 is 136.96: whoever errs by less than 0.5 of a code stores 137.
@@ -259,7 +259,7 @@ TEST_CASE("srgb8 encodes whatever writes into it, and cuts at 0 and 1") {
   });
 }
 
-TEST_CASE("With 4 samples a pixel on an edge is a mix of both colours by quarters") {
+TEST_CASE("With 4 samples an edge pixel mixes both colours by quarters") {
   struct Row {
     ColourFormat format;
     double tolerance;
@@ -297,7 +297,7 @@ TEST_CASE("With 4 samples a pixel on an edge is a mix of both colours by quarter
   });
 }
 
-TEST_CASE("With 4 samples a depth is that of one of them, in every format") {
+TEST_CASE("With 4 samples the depth is that of one sample, in every format") {
   const DepthFormat formats[] = {DepthFormat::depth16, DepthFormat::depth24, DepthFormat::depth32f,
                                  DepthFormat::depth24_stencil8, DepthFormat::depth32f_stencil8};
   on_every_context([&](Gl& gl) {
@@ -324,7 +324,7 @@ TEST_CASE("With 4 samples a depth is that of one of them, in every format") {
   });
 }
 
-TEST_CASE("A stencil has its samples too") {
+TEST_CASE("A stencil buffer is multisampled too") {
   on_every_context([](Gl& gl) {
     for (const DepthFormat format : {DepthFormat::depth24_stencil8, DepthFormat::depth32f_stencil8}) {
       const Target target(gl, {.width = 32, .height = 24, .depth = format, .samples = 4});
@@ -349,7 +349,7 @@ TEST_CASE("A stencil has its samples too") {
   });
 }
 
-TEST_CASE("A resolve reaches every pixel and leaves what is set") {
+TEST_CASE("A resolve covers every pixel and keeps the state") {
   on_every_context([](Gl& gl) {
     const Target target(gl, {.width = 8, .height = 8, .colour = ColourFormat::srgb8, .samples = 4}), other(gl, {});
     target.bind(gl);
@@ -374,7 +374,7 @@ TEST_CASE("A resolve reaches every pixel and leaves what is set") {
   });
 }
 
-TEST_CASE("Depth comes back between 0 and 1, row 0 on top") {
+TEST_CASE("Depth is read back between 0 and 1, with row 0 on top") {
   struct Row {
     DepthFormat format;
     double tolerance;  ///< half a step of the format
@@ -407,7 +407,7 @@ TEST_CASE("Depth comes back between 0 and 1, row 0 on top") {
   });
 }
 
-TEST_CASE("Targets that cannot be are refused with size and formats") {
+TEST_CASE("Impossible targets are refused with size and formats") {
   on_every_context([](Gl& gl) {
     for (const auto& [width, height] : {std::pair{0, 4}, {4, 0}, {-1, 4}, {16385, 1}, {1, 16385}, {1 << 30, 1 << 30}}) {
       const std::string size = std::to_string(width) + "x" + std::to_string(height);
@@ -439,7 +439,7 @@ TEST_CASE("Targets that cannot be are refused with size and formats") {
   });
 }
 
-TEST_CASE("A target's bytes are counted as the driver is asked for them") {
+TEST_CASE("A target's bytes are counted as they are allocated") {
   const TargetSpec specs[] = {
       {.width = 3, .height = 5},
       {.colour = ColourFormat::none, .depth = DepthFormat::depth16},

@@ -5,7 +5,7 @@
 
 using namespace atelier;
 
-TEST_CASE("a picture that is written into a target is what is read from it", "[target]") {
+TEST_CASE("a picture written into a target is read back unchanged", "[target]") {
   const auto context = make_headless_context();
   Image picture(3, 2);
   for (int i = 0; i < 6; ++i) picture.at(i % 3, i / 3) = {float(i) / 8, 0.25f, 1, 0.5f};

@@ -92,7 +92,7 @@ TEST_CASE("a ZIP whose names are UTF-8, and say so, is read in every locale") {
   CHECK(contents.skipped == std::vector<std::string>{"Müller/../ü leads out of the archive's folder"});
 }
 
-TEST_CASE("a submission has a name that can be a folder's") {
+TEST_CASE("a submission's name is a valid folder name") {
   const TemporaryFolder folder;
   for (const char* file : {"...zip", "..zip", ".zip"}) {
     INFO(file);
@@ -104,7 +104,7 @@ TEST_CASE("a submission has a name that can be a folder's") {
   }
 }
 
-TEST_CASE("what is not taken out of a ZIP is told") {
+TEST_CASE("skipped members of a ZIP are reported") {
   const TemporaryFolder folder;
   const fs::path zip = folder.path() / "a.zip";
   struct Row {
@@ -141,7 +141,7 @@ TEST_CASE("what is not taken out of a ZIP is told") {
   }
 }
 
-TEST_CASE("archives that cost too much or make no sense are refused") {
+TEST_CASE("archives that are too large or invalid are refused") {
   const TemporaryFolder folder;
   const fs::path zip = folder.path() / "a.zip";
   const std::string text(100'000, 'x');  // deflates to a thousandth
@@ -169,7 +169,7 @@ TEST_CASE("archives that cost too much or make no sense are refused") {
   }
 }
 
-TEST_CASE("files that are no archive, or only a part of one, are refused") {
+TEST_CASE("files that are not a complete archive are refused") {
   const TemporaryFolder folder;
   const fs::path zip = folder.path() / "a.zip";
   write_zip(zip, {{"01-move/move.cpp", std::string(5000, 'a') + std::string(5000, 'b')}});
@@ -227,7 +227,7 @@ TEST_CASE("a submission is the listed files, copied") {
   CHECK(taken.notes == std::vector<std::string>{"02-light/light.cpp is a symbolic link, which is not followed"});
 }
 
-TEST_CASE("one folder may stand around the steps") {
+TEST_CASE("one enclosing folder is accepted") {
   const TemporaryFolder folder;
   write_file(folder.path() / "ada/hw1/01-move/move.cpp", std::string_view("int a;"));
   write_file(folder.path() / "ada/notes/README", std::string_view("x"));
@@ -241,7 +241,7 @@ TEST_CASE("one folder may stand around the steps") {
                  {"'hw1' and 'hw2'"}));
 }
 
-TEST_CASE("a step whose folder is a link was not handed in") {
+TEST_CASE("a step whose folder is a link is not submitted") {
   const TemporaryFolder folder;
   write_file(folder.path() / "solution/01-move/move.cpp", std::string_view("int a;"));
   fs::create_directories(folder.path() / "ada/02-light");
@@ -252,7 +252,7 @@ TEST_CASE("a step whose folder is a link was not handed in") {
   CHECK(taken.notes == std::vector<std::string>{"01-move is a symbolic link, which is not followed"});
 }
 
-TEST_CASE("notes are bounded") {
+TEST_CASE("the number of notes is limited") {
   const TemporaryFolder folder;
   std::vector<Member> members = {{"01-move/move.cpp", "a"}};
   for (int i = 0; i < 100; ++i) members.push_back({"../" + std::to_string(i), "x"});
@@ -262,7 +262,7 @@ TEST_CASE("notes are bounded") {
   CHECK(taken.notes.back() == "81 more");
 }
 
-TEST_CASE("an archive becomes the same as its folder") {
+TEST_CASE("an archive gives the same submission as its folder") {
   const TemporaryFolder folder;
   write_zip(folder.path() / "ada.zip", {{"ada/01-move/move.cpp", "int a;"}, {"ada/notes.txt", "x"}});
   const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
@@ -272,7 +272,7 @@ TEST_CASE("an archive becomes the same as its folder") {
   CHECK(taken.source.empty());
 }
 
-TEST_CASE("what an archive lacks of a step is told, and why") {
+TEST_CASE("missing files of a step in an archive are reported with the reason") {
   const TemporaryFolder folder;
   write_zip(folder.path() / "ada.zip", {{"02-light/light.cpp", "", "/etc/passwd"}});
   const Submission taken = take_submission(flags, folder.path() / "ada.zip", folder.path() / "copy");
@@ -281,7 +281,7 @@ TEST_CASE("what an archive lacks of a step is told, and why") {
         "light.cpp is a symbolic link, which is not followed; light.glsl is missing");
 }
 
-TEST_CASE("what holds no step is refused") {
+TEST_CASE("a submission without a step is refused") {
   const TemporaryFolder folder;
   fs::create_directories(folder.path() / "empty");
   write_zip(folder.path() / "other.zip", {{"README", "x"}});

@@ -19,7 +19,7 @@ const PackedFiles files = {{"01-move/move.cpp", {.bytes = "int a;\n"}},
 
 }  // namespace
 
-TEST_CASE("what is packed comes back") {
+TEST_CASE("a packed archive is read back") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.zip", make_zip(files));
   const auto found =
@@ -32,7 +32,7 @@ TEST_CASE("what is packed comes back") {
   }
 }
 
-TEST_CASE("the same files make the same archive, and another program unpacks it with its rights") {
+TEST_CASE("the same files make the same archive, and another program unpacks it with its permissions") {
   const TemporaryFolder folder;
   const std::string archive = make_zip(files);
   CHECK(archive == make_zip(files));

@@ -21,7 +21,7 @@ Image numbered(int width, int height) {
 
 }  // namespace
 
-TEST_CASE("a mean is that of a block's pixels, each in its place", "[average]") {
+TEST_CASE("each pixel is the mean of its block", "[average]") {
   const Image small = averaged(numbered(6, 9), 3, Encoding::linear);
   REQUIRE(small.width() == 2);
   REQUIRE(small.height() == 3);
@@ -34,7 +34,7 @@ TEST_CASE("a mean is that of a block's pixels, each in its place", "[average]") 
   CHECK(averaged(numbered(5, 7), 1, Encoding::linear) == numbered(5, 7));
 }
 
-TEST_CASE("equal pixels stay as they are, to the bit", "[average]") {
+TEST_CASE("equal pixels stay unchanged, to the bit", "[average]") {
   for (const float value : {0.1f, 0.3f, 1e-30f, -7.7f, 3e38f}) {
     INFO(value);
     const Image even(12, 12, {value, value, value, value});
@@ -42,7 +42,7 @@ TEST_CASE("equal pixels stay as they are, to the bit", "[average]") {
   }
 }
 
-TEST_CASE("codes are averaged as the light that they stand for", "[average]") {
+TEST_CASE("sRGB codes are averaged in linear light", "[average]") {
   Image checks(2, 2, {1, 1, 1, 1});
   checks.at(0, 0) = checks.at(1, 1) = {0, 0, 0, 0};
   CHECK(averaged(checks, 2, Encoding::linear).at(0, 0) == Rgba{0.5f, 0.5f, 0.5f, 0.5f});
@@ -51,7 +51,7 @@ TEST_CASE("codes are averaged as the light that they stand for", "[average]") {
   CHECK(code.a == 0.5f);               // opacity is no light
 }
 
-TEST_CASE("what is no number is found again in the mean", "[average]") {
+TEST_CASE("NaN and infinity stay in the mean", "[average]") {
   for (const Encoding encoding : {Encoding::linear, Encoding::srgb}) {
     Image image(4, 2);
     image.at(0, 1).g = std::numeric_limits<float>::quiet_NaN();
@@ -63,7 +63,7 @@ TEST_CASE("what is no number is found again in the mean", "[average]") {
   }
 }
 
-TEST_CASE("what has no mean is refused", "[average]") {
+TEST_CASE("invalid sizes, and data, are refused", "[average]") {
   CHECK(mentions(error_of([] { averaged(Image(6, 4), 4, Encoding::linear); }), {"6 x 4", "4 x 4"}));
   CHECK(mentions(error_of([] { averaged(Image(4, 6), 4, Encoding::linear); }), {"4 x 6", "4 x 4"}));
   CHECK(mentions(error_of([] { averaged(Image(4, 4), 0, Encoding::linear); }), {"4 x 4", "0 x 0"}));

@@ -24,7 +24,7 @@ TEST_CASE("sRGB: published pairs of linear and encoded values") {
   }
 }
 
-TEST_CASE("sRGB: all 8-bit codes survive the way to light and back") {
+TEST_CASE("sRGB: all 8-bit codes survive decoding and encoding") {
   for (int code = 0; code < 256; ++code) CHECK(std::lround(srgb_encode(srgb_decode(float(code) / 255)) * 255) == code);
   for (int code = 0; code < 256; ++code) CHECK(srgb_code(srgb_decode(float(code) / 255)) == code);
   for (int code = 0; code < 256; ++code) CHECK(linear_of_code(std::uint8_t(code)) == float(srgb_decode(code / 255.0)));
@@ -36,7 +36,7 @@ TEST_CASE("sRGB: all 8-bit codes survive the way to light and back") {
   CHECK(srgb_code(std::numeric_limits<float>::quiet_NaN()) == 0);
 }
 
-TEST_CASE("sRGB: what lies outside 0..1 stays what it is") {
+TEST_CASE("sRGB: values outside 0..1 are not clamped") {
   constexpr float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   CHECK(srgb_encode(-0.5f) == Approx(-6.46f));
   CHECK(srgb_decode(-6.46f) == Approx(-0.5f));
@@ -90,7 +90,7 @@ double largest_error(double low, double high, bool relative, Fast fast, Exact ex
 
 }  // namespace
 
-TEST_CASE("fast functions keep the bounds that they document") {
+TEST_CASE("fast functions keep their documented error bounds") {
   const auto exact_log2 = [](double x) { return std::log2(x); };
   const auto exact_exp2 = [](double x) { return std::exp2(x); };
   const auto exact_cbrt = [](double x) { return std::cbrt(x); };

@@ -1,4 +1,4 @@
-// The layers of comparison: each on pictures where the right answer is plain.
+// The parts of a comparison, each on pictures with an obvious result.
 #include "image/compare.hpp"
 
 #include <cmath>
@@ -30,7 +30,7 @@ Rgba direction(double degrees, double length = 1) {
 
 }  // namespace
 
-TEST_CASE("a picture has sides from 1 to 16384") {
+TEST_CASE("a picture's width and height are 1 to 16384") {
   for (auto [width, height] : {std::pair{0, 1}, {1, 0}, {-5, 5}, {16385, 1}, {1, 16385}}) {
     CHECK(mentions(error_of([&, w = width, h = height] { Image(w, h); }), {std::to_string(width), "16384"}));
     CHECK(mentions(error_of([&, w = width, h = height] { Mask(w, h); }), {std::to_string(height), "16384"}));
@@ -86,7 +86,7 @@ TEST_CASE("encoding for comparison: exposed, clamped, within 1e-6 of the exact c
   CHECK(worst < 1e-6);
 }
 
-TEST_CASE("erosion leaves what is surrounded on all sides") {
+TEST_CASE("erosion keeps pixels that are surrounded on all sides") {
   struct Row {
     const char* name;
     int x, y, width, height, left;
@@ -108,7 +108,7 @@ TEST_CASE("erosion leaves what is surrounded on all sides") {
   CHECK(erode(Mask(2, 9)) == Mask(2, 9));
 }
 
-TEST_CASE("strict: what is over, how much of it is solid, where it is worst") {
+TEST_CASE("strict: pixels over delta, solid ones, and the worst") {
   struct Row {
     const char* name;
     int x, y, width, height;
@@ -161,7 +161,7 @@ TEST_CASE("strict: honest noise of one level passes, and each channel counts by 
   }
 }
 
-TEST_CASE("what is not a number is over, whichever side it is on") {
+TEST_CASE("NaN in either picture is over delta") {
   for (Measure measure : {Measure::level, Measure::degrees, Measure::number})
     for (float bad : {not_a_number, infinite, -infinite})
       for (float Rgba::*channel : {&Rgba::r, &Rgba::g, &Rgba::b}) {
@@ -216,7 +216,7 @@ TEST_CASE("numbers: differences in the data's own unit") {
   CHECK(compare_strict(yours, reference, Measure::number, 0).over == 1);
 }
 
-TEST_CASE("robust: an edge may lie a pixel elsewhere, a hole may not be there") {
+TEST_CASE("robust: an edge may move by a pixel, a hole is an error") {
   const auto edge = [](int at) { return grey(40, 40, [=](int x, int) { return x < at ? 0.2 : 0.8; }); };
   const Image reference = edge(20);
   CHECK(compare_strict(edge(21), reference, Measure::level, 3).over == 40);

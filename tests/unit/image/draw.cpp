@@ -1,4 +1,4 @@
-// Pictures made from pictures.
+// Pictures made from other pictures.
 #include "image/draw.hpp"
 
 #include <limits>
@@ -96,7 +96,7 @@ TEST_CASE("signed difference: grey where equal, brighter where yours has more") 
   CHECK_FALSE(error_of([&] { signed_difference(yours, Image(1, 1)); }).empty());
 }
 
-TEST_CASE("heat gets lighter all the way, from black to nearly white") {
+TEST_CASE("the heat map's colours get steadily lighter, from black to nearly white") {
   double before = -1;
   for (int i = 0; i <= 100; ++i) {
     const double lightness = xyz_to_lab(linear_to_xyz(srgb_decode(heat_colour(float(i) / 100)))).l;

@@ -1,4 +1,4 @@
-// How far a picture is from its truth, on pictures whose distance is known.
+// The error of a picture against its truth, on pictures whose error is known.
 #include "image/error.hpp"
 
 #include <cmath>
@@ -80,13 +80,13 @@ TEST_CASE("known distances") {
   }
 }
 
-TEST_CASE("an edge does not move the median") {
+TEST_CASE("an edge does not change the median") {
   Image picture = ramp(0.1), truth = ramp(0);
   for (int y = 0; y < 48; ++y) picture.at(40, y) = {9, 9, 9, 1};
   CHECK(error_of(picture, truth, ErrorMetric::displacement) == Approx(0.1).margin(1e-4));
 }
 
-TEST_CASE("what cannot be compared is refused") {
+TEST_CASE("pictures that cannot be compared are refused with the reason") {
   const Image grey = filled({0.5f, 0.5f, 0.5f, 1});
   Image broken = grey;
   broken.at(2, 5).g = std::numeric_limits<float>::quiet_NaN();

@@ -1,4 +1,4 @@
-// Picture files: what is written comes back, and what is broken is refused by name.
+// Picture files: written files are read back, and invalid ones are refused by name.
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -72,7 +72,7 @@ const Kind kinds[] = {
 
 }  // namespace
 
-TEST_CASE("what is written comes back") {
+TEST_CASE("written pictures are read back") {
   const TemporaryFolder folder;
   for (const Kind& kind : kinds) {
     INFO(kind.file << ": " << kind.why);
@@ -122,7 +122,7 @@ TEST_CASE("sides, rows and numbers of other formats") {
   CHECK(light.at(1, 0).b == Approx(8).margin(8 / 128.0));
 }
 
-TEST_CASE("animations: all frames in one file, whose first one is read") {
+TEST_CASE("animations: all frames in one file; the first is read") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "turn.gif";
   std::vector<Image> frames;
@@ -154,7 +154,7 @@ TEST_CASE("pictures embedded in reports") {
   CHECK(difference(read_image_bytes(bytes, "embedded", Encoding::srgb), waves(20, 10)) <= 0.501 / 255);
 }
 
-TEST_CASE("what cannot be written is refused, and nothing is left behind") {
+TEST_CASE("pictures that cannot be written are refused, without leftovers") {
   const TemporaryFolder folder;
   const Image image(2, 2);
   struct Row {
@@ -177,7 +177,7 @@ TEST_CASE("what cannot be written is refused, and nothing is left behind") {
   CHECK(std::filesystem::is_empty(folder.path()));
 }
 
-TEST_CASE("what is no picture is refused by name") {
+TEST_CASE("files that are not pictures are refused by name") {
   const TemporaryFolder folder;
   write_file(folder.path() / "text.png", "This is no picture.");
   write_file(folder.path() / "empty.png", "");
@@ -216,7 +216,7 @@ TEST_CASE("truncated pictures are refused, damaged ones do no harm") {
   }
 }
 
-TEST_CASE("a PNG is looked through before it is decoded") {
+TEST_CASE("a PNG is checked before it is decoded") {
   const auto bytes = encode_png(waves(20, 10));
   const std::string whole(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const auto error = [](const std::string& file) {
@@ -230,7 +230,7 @@ TEST_CASE("a PNG is looked through before it is decoded") {
   CHECK(mentions(error(damaged), {"a.png", "checksum"}));
 }
 
-TEST_CASE("a JPEG without its end is refused, not filled up with grey") {
+TEST_CASE("a truncated JPEG is refused, not filled with grey") {
   // A start of image, a start of scan and some coded pixels: enough for the question, too little for a picture.
   const std::string cut("\xff\xd8\xff\xe0\x00\x04\x00\x00\xff\xda\x00\x02pixels", 18);
   CHECK(mentions(error_of([&] { read_image_bytes(bytes_of(cut), "cut.jpg"); }), {"cut.jpg", "end is missing"}));

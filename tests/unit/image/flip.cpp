@@ -1,4 +1,5 @@
-// LDR-FLIP against the paper, written here once more: in double precision, without separating, tiling or approximating.
+// LDR-FLIP against a direct implementation of the paper: double precision, no separable filters, tiles or
+// approximations.
 #include "image/flip.hpp"
 
 #include <cmath>
@@ -140,7 +141,7 @@ TEST_CASE("FLIP at other distances from the screen") {
   }
 }
 
-TEST_CASE("FLIP: tiles leave no seams, and threads no trace") {
+TEST_CASE("FLIP: results do not depend on tiles or threads") {
   const Image reference = waves(500, 300), test = marked(500, 300);
   const Flip one = flip(reference, test), three = flip(reference, test, {.threads = 3});
   CHECK(one.map == three.map);

@@ -1,4 +1,4 @@
-// Budget cases: what may be chosen, what was chosen, and what it earns.
+// Budget cases: the allowed choices, the student's choice, and its points.
 #include "judge/compare/choice.hpp"
 
 #include <cmath>
@@ -60,7 +60,7 @@ JudgedCase budget_case() {
 
 }  // namespace
 
-TEST_CASE("what a choice is worth is read, or refused with the member's name") {
+TEST_CASE("a choice's scoring is read, or refused with the member's name") {
   const Choice choice = read_choice(usual, "");
   CHECK(choice.settings == std::vector<std::string>{"hall.segments"});
   CHECK(choice.at_most == Counts{{"triangles", 200}});
@@ -146,7 +146,7 @@ TEST_CASE("choices.txt is read line by line") {
   }
 }
 
-TEST_CASE("only what a case leaves open can be chosen for it") {
+TEST_CASE("only the settings that a case allows can be chosen") {
   const JudgedCase c = budget_case();
   CHECK(with_choices(c, {{"hall-choice", {{"hall.segments", 96}}}}).settings.at("hall.segments") == SettingValue(96));
   CHECK(with_choices(c, {{"other-choice", {{"draw.wireframe", true}}}}).settings.empty());
@@ -158,7 +158,7 @@ TEST_CASE("only what a case leaves open can be chosen for it") {
         }).find("'hall-choise' is not a case with a choice; did you mean 'hall-choice'?") != std::string::npos);
 }
 
-TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
+TEST_CASE("a choice earns points by its error, and none above the cost limit") {
   const Choice choice = read_choice(usual, "");
   struct Row {
     const char* name;
@@ -189,7 +189,7 @@ TEST_CASE("a choice earns by its error, and nothing where it is too dear") {
         }).find("the program does not count triangles") != std::string::npos);
 }
 
-TEST_CASE("a verdict on a choice says the error, the cost and what they are worth") {
+TEST_CASE("a verdict on a choice has the error, the cost and the points") {
   const JudgedCase c = budget_case();
   StepReferences references("01-transforms");
   Image truth = flat(0);

@@ -7,7 +7,7 @@
 namespace atelier::judge::test {
 namespace {
 
-TEST_CASE("partial credit: from the share that fails, within its caps") {
+TEST_CASE("partial credit: from the failing fraction, within its caps") {
   // f0 = 0.001; f1 = 0.25, so that the denominator is log10(251) = 2.3997.
   struct Row {
     const char* name;
@@ -48,14 +48,14 @@ TEST_CASE("partial credit: more failing pixels never earn more") {
   }
 }
 
-TEST_CASE("partial credit says how it came about") {
+TEST_CASE("partial credit is explained") {
   const std::string blob = partial_credit({0.001, 0.001, 1, true, false}).explanation;
   CHECK(atelier::test::mentions(blob, {"0.1 %", "at most 70 %", "solid area"}));
   const std::string whole = partial_credit({0.001, 0.001, 0.1, false, true}).explanation;
   CHECK(atelier::test::mentions(whole, {"skeleton", "at most 40 %", "whole picture"}));
 }
 
-TEST_CASE("probes: beyond what the skeleton answers") {
+TEST_CASE("probes: credit only beyond the skeleton's answers") {
   CHECK(partial_probe_credit(5, 10, 1).fraction == Approx(0.5));
   CHECK(partial_probe_credit(1, 10, 1).fraction == Approx(max_credit_with_blob));  // 0.9, capped
   CHECK(partial_probe_credit(10, 10, 1).fraction == 0);

@@ -1,5 +1,4 @@
-// Whole-picture hypotheses: each operation is found on a picture that it was applied to, and no other picture is
-// explained.
+// Whole-picture hypotheses: each operation is found on a picture that it was applied to, and on no other.
 #include "judge/explain/hypotheses.hpp"
 
 #include <cmath>
@@ -91,7 +90,7 @@ TEST_CASE("colours: an operation is found under the noise of another processor, 
   check_picture_rows({{"flipped-y", upside_down, "upside down"}}, right, picture_case());
 }
 
-TEST_CASE("encoded colours: linear values where encoded ones are asked for") {
+TEST_CASE("encoded colours: linear values instead of encoded ones") {
   const Image linear = draw({}), encoded = changed(linear, each([](float v) { return srgb_encode(v); }));
   const JudgedCase c = picture_case(Profile::strict, Unit::encoded);
   check_picture_rows({{"not-encoded", linear, "linear values"},
@@ -130,7 +129,7 @@ TEST_CASE("data: ranges and factors") {
                      right, picture_case(Profile::strict, Unit::number, 0.001, 4));
 }
 
-TEST_CASE("what no operation explains stays unexplained") {
+TEST_CASE("other errors are not explained by an operation") {
   const Image right = draw({});
   const JudgedCase c = picture_case();
   Drawing wrong;
@@ -153,7 +152,7 @@ TEST_CASE("what no operation explains stays unexplained") {
   CHECK_FALSE(explained(with_line(right, 65), right, c).has_value());
 }
 
-TEST_CASE("a verdict says the hypothesis first, and caps its credit") {
+TEST_CASE("a verdict starts with the hypothesis, and caps its credit") {
   const Image right = draw({});
   StepReferences references("02-blinn-phong");
   CaseReferences accepted;

@@ -1,4 +1,4 @@
-// Names are proven where they were not made: on other cameras, other lights, and other spellings of the same mistake.
+// Naming is tested on other data than the atlas: other cameras, other lights, and other spellings of a mistake.
 #include "judge/explain/naming.hpp"
 
 #include <algorithm>
@@ -72,7 +72,7 @@ TEST_CASE("the same view: every mistake is recognised in another spelling, and w
   }
 }
 
-TEST_CASE("the same view: what is not in the atlas gets no name") {
+TEST_CASE("the same view: mistakes outside the atlas get no name") {
   const Drawing view;
   const Image right = draw(view);
   for (const Wrong& wrong : wrongs) {
@@ -123,7 +123,7 @@ TEST_CASE("other views: names are right, most mistakes get one, and none when th
   CHECK(named >= 48);  // two of three: highlights half a turn away look like nothing in the atlas, and get no name
 }
 
-TEST_CASE("an atlas picture has half the size, rounded up, and keeps data in its range") {
+TEST_CASE("an atlas picture has half the size, rounded up, and keeps the range of data") {
   const Image odd(5, 3, {0.25f, 0.5f, 0.75f, 1});
   const Image half = make_atlas_picture(odd, odd, Unit::colour);
   CHECK(half.width() == 3);
@@ -160,7 +160,7 @@ TEST_CASE("a verdict names the mistake, with its sentence, its hint and its pict
   CHECK(result.evidence->mistake->width() == 96);
 }
 
-TEST_CASE("probes: a mistake is named by its numbers, where no other mistake has the same") {
+TEST_CASE("probes: a mistake is named by its numbers, if no other mistake has the same") {
   JudgedCase c;
   c.profile = Profile::values;
   c.tolerance.absolute = 1e-3;

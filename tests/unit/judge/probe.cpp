@@ -135,7 +135,7 @@ Numbers identity() {
   return {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 }
 
-TEST_CASE("numbers are a matrix where every input is answered by one") {
+TEST_CASE("numbers are a matrix if every answer is one") {
   Numbers two = identity();
   two.insert(two.end(), 16, 0);
   two.back() = 1;
@@ -160,7 +160,7 @@ TEST_CASE("numbers are a matrix where every input is answered by one") {
   }
 }
 
-TEST_CASE("an entry is placed as the handouts and glm count") {
+TEST_CASE("an entry's row and column are those of the handouts and glm") {
   CHECK(place_of_number(12, 16, 4) == "row 1, column 4 (m[3][0])");
   CHECK(place_of_number(3, 16, 4) == "row 4, column 1 (m[0][3])");
   CHECK(place_of_number(5, 9, 3) == "row 3, column 2 (m[1][2])");
@@ -185,7 +185,7 @@ TEST_CASE("a matrix is shown by its rows, without signed zeros and without noise
   CHECK(show_numbers({-0.0, 1.5, -2}) == "(0, 1.5, -2)");
 }
 
-TEST_CASE("the table shows what is a matrix as one") {
+TEST_CASE("the table shows a matrix as a matrix") {
   JudgedCase c;
   c.profile = Profile::values;
   c.tolerance = {1e-6, 0, 0, "a few roundings"};

@@ -1,4 +1,4 @@
-// What is right in another way must pass; what is wrong must not, however small its share of the picture is.
+// Other correct pictures must pass; wrong ones must fail, however small the wrong fraction of the picture.
 #include "catch.hpp"
 #include "judge/compare/measure.hpp"
 #include "judge/compare/verdict.hpp"
@@ -62,7 +62,7 @@ std::vector<Drawn> wrong_rows() {
   };
 }
 
-TEST_CASE("strict: what is right in another way passes") {
+TEST_CASE("strict: other correct pictures pass") {
   const JudgedCase c = picture_case(Profile::strict, Unit::colour, 3, budget);
   const StepReferences references = reference_of(right_picture());
   for (const Drawn& row : right_rows()) {
@@ -76,7 +76,7 @@ TEST_CASE("strict: what is right in another way passes") {
   }
 }
 
-TEST_CASE("strict: what is wrong fails, however small its share") {
+TEST_CASE("strict: wrong pictures fail, however small the wrong fraction") {
   const JudgedCase c = picture_case(Profile::strict, Unit::colour, 3, budget);
   const StepReferences references = reference_of(right_picture());
   for (const Drawn& row : wrong_rows()) {
@@ -92,7 +92,7 @@ TEST_CASE("strict: what is wrong fails, however small its share") {
   }
 }
 
-TEST_CASE("strict: single rules, each on a picture that breaks no other") {
+TEST_CASE("strict: each rule, on a picture that breaks no other") {
   const Image flat = changed(right_picture(), [](const Rgba&) { return Rgba{0.2f, 0.2f, 0.2f, 1}; });
   Image reference = flat;
   reference.at(0, 0) = {0.9f, 0.1f, 0.1f, 1};  // no single colour, so that gate 0 has no say
@@ -108,7 +108,7 @@ TEST_CASE("strict: single rules, each on a picture that breaks no other") {
   CHECK(judge_case(c, answer_of(with_spots(9, 1)), references).status == Status::failed);   // nine in a square
 }
 
-TEST_CASE("strict: a picture that only lies a little beside its place fails, and is capped as a whole") {
+TEST_CASE("strict: a slightly shifted picture fails, and its credit is capped") {
   // Where even sharp edges are tolerated, nothing but the fitted shift tells.
   const JudgedCase c = picture_case(Profile::strict, Unit::colour, 60, 40);
   const StepReferences references = reference_of(right_picture());
@@ -121,7 +121,7 @@ TEST_CASE("strict: a picture that only lies a little beside its place fails, and
   CHECK(mentions(result.credit, {"at most 40 %"}));
 }
 
-TEST_CASE("strict: in a small picture the default budget shrinks with it") {
+TEST_CASE("strict: the default budget is smaller in a small picture") {
   JudgedCase c = picture_case();
   c.ask.size = {16, 16};
   Image reference(16, 16, {0.2f, 0.2f, 0.2f, 1});
@@ -133,7 +133,7 @@ TEST_CASE("strict: in a small picture the default budget shrinks with it") {
   CHECK(judge_case(c, answer_of(two), references).status == Status::failed);
 }
 
-TEST_CASE("robust: edges may lie elsewhere, areas may not") {
+TEST_CASE("robust: edges may move, areas may not") {
   const JudgedCase c = picture_case(Profile::robust);
   const StepReferences references = reference_of(right_picture());
   const auto passes = [&](const Image& picture) {

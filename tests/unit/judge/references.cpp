@@ -1,4 +1,4 @@
-// References: made, refused, read back, and never trusted blindly.
+// References: made, refused, read back, and always checked.
 #include "judge/compare/references.hpp"
 
 #include <cmath>
@@ -54,7 +54,7 @@ void overwrite(const fs::path& file, const std::string& bytes) {
   std::ofstream(file, std::ios::binary) << bytes;
 }
 
-TEST_CASE("a reference that was made is read back, with its atlas") {
+TEST_CASE("a new reference is read back, with its atlas") {
   const TemporaryFolder folder;
   const JudgedCase c = claiming({"no-shadow", "no-highlight", "crashes"});
   const MadeReference made = make_reference(folder.path(), c, good_material());
@@ -76,7 +76,7 @@ TEST_CASE("a reference that was made is read back, with its atlas") {
   CHECK(wrong.mistake == "no-shadow");
 }
 
-TEST_CASE("what may not become a reference is refused, and nothing is written") {
+TEST_CASE("invalid references are refused, and nothing is written") {
   using Change = void (*)(JudgedCase&, ReferenceMaterial&);
   struct Row {
     const char* name;
@@ -133,7 +133,7 @@ TEST_CASE("what may not become a reference is refused, and nothing is written") 
   }
 }
 
-TEST_CASE("margins: how many tolerances away a picture lies") {
+TEST_CASE("margins: the distance of a picture in tolerances") {
   const JudgedCase c = picture_case();
   const Image right(64, 64, {0.2f, 0.2f, 0.2f, 1});
   const auto off_by = [&](float levels) {  // a square of 10x10, brighter by so many 1/255
@@ -215,7 +215,7 @@ TEST_CASE("a reference made for another tolerance or size is stale") {
   }
 }
 
-TEST_CASE("mask and regions stand in the sidecar, and the skeleton's share heeds them") {
+TEST_CASE("mask and regions are in the sidecar, and affect the skeleton's fraction") {
   const TemporaryFolder folder;
   JudgedCase c = claiming({"no-shadow"});
   c.mask = {{0, 0, 8, 192}, {184, 0, 8, 192}};
@@ -228,7 +228,7 @@ TEST_CASE("mask and regions stand in the sidecar, and the skeleton's share heeds
   read_from(folder.path()).require({c});
 }
 
-TEST_CASE("probes: numbers by hand or by the solution, and what mistakes answer") {
+TEST_CASE("probes: numbers by hand or by the solution, and the answers of mistakes") {
   const TemporaryFolder folder;
   JudgedCase c;
   c.ask.name = "square";
@@ -278,7 +278,7 @@ TEST_CASE("data references keep every bit") {
   CHECK(read == *material.solution.pixels);
 }
 
-TEST_CASE("the cache of decoded pictures: found again, and harmless when spoiled") {
+TEST_CASE("the cache of decoded pictures: entries are found, damaged ones ignored") {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "picture.exr", cache = folder.path() / "cache";
   overwrite(file, "stands for a picture");

@@ -1,4 +1,4 @@
-// Masks and weighted regions: what they forgive, what they do not, and what they count.
+// Masks and weighted regions: what is ignored, what is not, and how pixels are weighted.
 #include "judge/compare/regions.hpp"
 
 #include <cmath>
@@ -31,7 +31,7 @@ StepReferences references_of(const JudgedCase& c, const Image& picture) {
   return references;
 }
 
-TEST_CASE("what is masked is not compared, and nothing beside it is forgiven") {
+TEST_CASE("masked pixels are not compared, all others are") {
   const Image right = draw({});
   struct Row {
     const char* name;
@@ -63,7 +63,7 @@ TEST_CASE("what is masked is not compared, and nothing beside it is forgiven") {
   }
 }
 
-TEST_CASE("shares: masked pixels are left out, those of regions count by their weights") {
+TEST_CASE("fractions: masked pixels do not count, regions count by their weights") {
   Mask over(10, 10);
   for (int x = 0; x < 10; ++x) over.set(x, 0, true);  // the upper row
   const std::vector<Region> heavy{{"the left half", {0, 0, 5, 10}, 3}}, light{{"the top", {0, 0, 10, 1}, 0.5}};

@@ -8,7 +8,7 @@ namespace {
 
 using atelier::test::mentions;
 
-TEST_CASE("shares, numbers and colours in words") {
+TEST_CASE("fractions, numbers and colours in words") {
   CHECK(percent(0) == "0 %");
   CHECK(percent(0.00001) == "under 0.01 %");
   CHECK(percent(0.0042) == "0.42 %");
@@ -25,7 +25,7 @@ TEST_CASE("shares, numbers and colours in words") {
   CHECK(colour_name({0.3f, 0.3f, 0, 1}) == "dark yellow");
 }
 
-TEST_CASE("where the failing pixels are") {
+TEST_CASE("the position of the failing pixels in words") {
   struct Row {
     int x, y, width, height;
     const char* place;
@@ -46,7 +46,7 @@ TEST_CASE("where the failing pixels are") {
   CHECK(place_of(Mask(1, 1)).empty());
 }
 
-TEST_CASE("what was seen: the direction of the difference") {
+TEST_CASE("found: the direction of the difference") {
   const Image right(32, 32, {0.2f, 0.2f, 0.2f, 1});
   struct Row {
     Rgba colour;
@@ -66,7 +66,7 @@ TEST_CASE("what was seen: the direction of the difference") {
   }
 }
 
-TEST_CASE("what was seen: only moved") {
+TEST_CASE("found: only shifted") {
   Drawing moved_a_little;
   moved_a_little.offset_x = 0.12;
   JudgedCase c = picture_case(Profile::strict, Unit::colour, 60, 40);
@@ -80,7 +80,7 @@ TEST_CASE("what was seen: only moved") {
       mentions(said, {"within 60/255", "pixels to the left"}));  // sample points to the right: the picture to the left
 }
 
-TEST_CASE("what was seen in a pass: its margin") {
+TEST_CASE("found, for a pass: its margin") {
   const JudgedCase c = picture_case();
   const Image right = compared_form(draw({}), c);
   CHECK(mentions(describe_pass(measure(right, right, c), c), {"equal"}));

@@ -1,4 +1,4 @@
-// Whole-value hypotheses: each operation is found on numbers that it was applied to, and nothing else is explained.
+// Whole-value hypotheses: each operation is found on numbers that it was applied to, and on no others.
 #include "judge/explain/value_hypotheses.hpp"
 
 #include <cmath>
@@ -176,7 +176,7 @@ TEST_CASE("single numbers: a factor and a constant are found over several inputs
                    right);
 }
 
-TEST_CASE("what fits equally well is said beside") {
+TEST_CASE("equally good explanations are listed") {
   const Matrix turn = glm::rotate(Matrix(1), 0.7, {0.6, 0.0, 0.8});
   const auto found = explained({numbers(glm::transpose(turn))}, {numbers(turn)});
   REQUIRE(found.has_value());
@@ -184,7 +184,7 @@ TEST_CASE("what fits equally well is said beside") {
   CHECK(mentions(found->sentence, {"transposed, which here is also the inverse of the right matrix."}));
 }
 
-TEST_CASE("what proves nothing, or explains not all, gets no name") {
+TEST_CASE("weak or incomplete explanations are not given") {
   const Numbers symmetric = numbers(glm::scale(Matrix(1), {2, 3, 4}));
   Numbers other = symmetric;
   other[12] = 1, other[13] = 2;
@@ -211,7 +211,7 @@ TEST_CASE("what proves nothing, or explains not all, gets no name") {
   }
 }
 
-TEST_CASE("a verdict says the hypothesis first, then the first wrong entry") {
+TEST_CASE("a verdict starts with the hypothesis, then the first wrong entry") {
   JudgedCase c = case_of(2);
   c.expected = listed(places());
   StepReferences references("01-transforms");

@@ -1,4 +1,4 @@
-// Gate 0, what comes back when nothing came back, and what a result carries.
+// Gate 0, results without an answer, and the contents of a result.
 #include "judge/compare/verdict.hpp"
 
 #include <cmath>
@@ -21,7 +21,7 @@ StepReferences references_of(const Image& picture) {
   return references;
 }
 
-TEST_CASE("no answer: the status says how it ended, and the program's own sentence why") {
+TEST_CASE("no answer: the status has the kind of failure, the reason is the program's message") {
   const StepReferences references = references_of(draw({}));
   struct Row {
     Answer::Ended ended;
@@ -48,7 +48,7 @@ TEST_CASE("no answer: the status says how it ended, and the program's own senten
   CHECK(judge_case(picture_case(), numbers, references).status == Status::missing);
 }
 
-TEST_CASE("gate 0: pictures that need no comparison score nothing and say why") {
+TEST_CASE("gate 0: pictures that need no comparison score 0, with the reason") {
   const Image right = draw({});
   const StepReferences references = references_of(right);
   const auto spoiled = [&](int count, float value) {
@@ -98,7 +98,7 @@ TEST_CASE("gate 0: a single colour may be the right answer") {
         Status::failed);
 }
 
-TEST_CASE("a result carries what a report needs") {
+TEST_CASE("a result has all that a report needs") {
   Drawing wrong;
   wrong.no_highlight = true;
   const StepReferences references = references_of(draw({}));
@@ -127,7 +127,7 @@ TEST_CASE("a result carries what a report needs") {
   CHECK(judge_case(picture_case(), answer_of(draw({})), references, KeepEvidence::always).evidence.has_value());
 }
 
-TEST_CASE("data in another range are mapped to be seen, and get no FLIP map") {
+TEST_CASE("data outside 0..1 are mapped to be visible, without a FLIP map") {
   const Image depth = draw_depth({});
   const StepReferences references = references_of(depth);
   const JudgedCase c = picture_case(Profile::strict, Unit::number, 0.01, 4);

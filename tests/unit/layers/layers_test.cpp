@@ -1,4 +1,4 @@
-// Imports run one way only: which folder of common/ may include which, and that none of them knows a step.
+// The allowed includes between the folders of common/; none may include a step.
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -27,7 +27,7 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"render", {"base", "case", "gl", "image", "scene"}},
     {"app", {"base", "case", "gl", "image", "image_io", "oracle", "render", "scene", "scene_import"}},
     {"judge", {"base", "case", "image", "image_io"}},  // no GL: it reads what programs wrote, and trusts none of it
-    {"measure", {"base", "case", "image", "judge"}},  // it runs step programs, and links none
+    {"measure", {"base", "case", "image", "judge"}},   // it runs step programs, and links none
     {"grade", {"base", "case", "gl", "judge"}},
     {"cli", {"base", "case", "gl", "grade", "image", "image_io", "judge", "measure", "oracle", "scene"}},
 };
@@ -53,7 +53,7 @@ std::vector<Include> includes_below(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("every folder of common/ includes only what it may stand on") {
+TEST_CASE("every folder of common/ includes only allowed folders") {
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(common)) {
     if (!entry.is_directory()) continue;

@@ -1,4 +1,4 @@
-// baseline.json: what is read from it, what is refused; and when a row does what it aims at.
+// baseline.json: reading, refused input, and when a row reaches its aim.
 #include "measure/baseline.hpp"
 
 #include <functional>
@@ -28,7 +28,7 @@ json comparison() {
 
 }  // namespace
 
-TEST_CASE("a comparison with a baseline is read as it is written") {
+TEST_CASE("a comparison with a baseline is read") {
   const BaselinePlan plan = parse_baseline_plan(comparison().dump(), "baseline.json");
   CHECK(plan.program == "shadow-demo");
   CHECK(plan.scene == "cubes");
@@ -49,7 +49,7 @@ TEST_CASE("a comparison with a baseline is read as it is written") {
   CHECK(plan.rows[2].aim == 0);
 }
 
-TEST_CASE("a comparison that is wrong is refused, with the place in words") {
+TEST_CASE("an invalid comparison is refused with its place") {
   struct Row {
     const char* name;
     std::function<void(json&)> spoil;
@@ -90,7 +90,7 @@ TEST_CASE("a comparison that is wrong is refused, with the place in words") {
   }
 }
 
-TEST_CASE("a row reaches its aim by being fast enough, and where asked by being no less true") {
+TEST_CASE("a row passes if it is fast enough and, on request, no less accurate") {
   const Compared baseline{.rmse = 0.01, .wrong = 0.02};
   struct Row {
     const char* name;

@@ -1,4 +1,4 @@
-// What theory says against what was measured.
+// Expectations from theory against measurements.
 #include "measure/expect.hpp"
 
 #include "catch.hpp"
@@ -18,7 +18,7 @@ SweepResult expecting(Expectation e) {
 
 }  // namespace
 
-TEST_CASE("an expectation is met, or it is not, and says by how much") {
+TEST_CASE("an expectation reports whether and by how much it is met") {
   struct Row {
     const char* name;
     Expectation expectation;
@@ -55,14 +55,14 @@ TEST_CASE("an expectation is met, or it is not, and says by how much") {
   }
 }
 
-TEST_CASE("without a curve each is meant") {
+TEST_CASE("an expectation without a curve applies to every curve") {
   const auto found = findings(expecting({.kind = Kind::at_most, .number = 0.6}));
   REQUIRE(found.size() == 2);
   CHECK_FALSE(found[0].met);
   CHECK(found[1].met);
 }
 
-TEST_CASE("an error that is no number meets nothing") {
+TEST_CASE("an error that is NaN meets no expectation") {
   for (const Expectation& e : {Expectation{.curve = "fine", .number = -2, .tolerance = 10},
                                Expectation{.kind = Kind::at, .curve = "fine", .tolerance = 10, .values = {"4"}},
                                Expectation{.kind = Kind::order, .curve = "fine", .values = {"4", "2"}}}) {

@@ -1,4 +1,4 @@
-// The power by which an error falls, and the range in which it does.
+// The exponent of an error's power law, and the range of the fit.
 #include "measure/fit.hpp"
 
 #include <cmath>
@@ -21,7 +21,7 @@ Points doubling(int count, Function of) {
 
 }  // namespace
 
-TEST_CASE("a pure power is found as it is") {
+TEST_CASE("a pure power law is fitted exactly") {
   struct Row {
     const char* name;
     double slope, factor;
@@ -51,7 +51,7 @@ TEST_CASE("least squares on logarithms, by hand") {
   CHECK(fit->deviation == Approx(std::sqrt((1.0 / 9 + 4.0 / 9 + 1.0 / 9) / 3)));
 }
 
-TEST_CASE("what lies on the floor does not bend the slope") {
+TEST_CASE("points at the noise floor do not affect the slope") {
   // x^-2 down to a floor of 1e-4, added as squares are: from x = 100 on there is only the floor.
   const Points points = doubling(14, [](double x) { return std::hypot(1 / (x * x), 1e-4); });
   const double floor = noise_floor(points);
@@ -65,7 +65,7 @@ TEST_CASE("what lies on the floor does not bend the slope") {
   CHECK(straight->to < 64);
 }
 
-TEST_CASE("a range is taken as closed") {
+TEST_CASE("a range includes its ends") {
   const auto fit = fit_power(doubling(10, [](double x) { return x; }), 0, glm::dvec2(4, 64));
   REQUIRE(fit);
   CHECK(fit->points == 5);
@@ -73,7 +73,7 @@ TEST_CASE("a range is taken as closed") {
   CHECK(fit->to == 64);
 }
 
-TEST_CASE("too little is no line") {
+TEST_CASE("too few points give no line") {
   CHECK_FALSE(fit_power(Points{}));
   CHECK_FALSE(fit_power(Points{{1, 1}, {2, 2}}));
   CHECK_FALSE(fit_power(Points{{3, 1}, {3, 2}, {3, 4}}));

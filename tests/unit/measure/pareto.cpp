@@ -1,4 +1,4 @@
-// Which choices are worth having, and which of them is the one to begin with.
+// Pareto fronts, and the recommended point on them.
 #include "measure/pareto.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-TEST_CASE("the front is what nothing beats") {
+TEST_CASE("the Pareto front has the points that no other dominates") {
   struct Row {
     const char* name;
     Points points;
@@ -42,7 +42,7 @@ TEST_CASE("the front is what nothing beats") {
   }
 }
 
-TEST_CASE("nothing on a front is beaten, and all else is") {
+TEST_CASE("no point of a front is dominated, and all others are") {
   // 200 points of a fixed sequence with low discrepancy: no two alike in any coordinate.
   Points points;
   for (int i = 1; i <= 200; ++i) points.emplace_back(std::fmod(i * 0.754877666, 1), std::fmod(i * 0.569840291, 1));
@@ -56,7 +56,7 @@ TEST_CASE("nothing on a front is beaten, and all else is") {
   }
 }
 
-TEST_CASE("the knee lies farthest below the chord of the logarithms") {
+TEST_CASE("the knee is the point farthest below the chord of the logarithms") {
   struct Row {
     const char* name;
     Points front;

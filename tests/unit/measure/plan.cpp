@@ -1,4 +1,4 @@
-// measure.json: what is read from it, what is refused, and whether it fits the program that it is for.
+// measure.json: reading, refused input, and whether it fits its program.
 #include "measure/plan.hpp"
 
 #include <functional>
@@ -88,7 +88,7 @@ struct Row {
 
 }  // namespace
 
-TEST_CASE("a plan is read as it is written") {
+TEST_CASE("a plan is read") {
   const Plan plan = parsed(whole_plan());
   CHECK(plan.step == "01-transforms");
   REQUIRE(plan.sweeps.size() == 1);
@@ -178,7 +178,7 @@ TEST_CASE("a truth may be a number, or the program itself") {
   CHECK(parsed(d).sweeps[0].truth.by == Truth::By::program);
 }
 
-TEST_CASE("a plan that is wrong is refused, with the place in words") {
+TEST_CASE("an invalid plan is refused with its place") {
   const auto in_sweep = [](const char* member, json value) { return [=](json& d) { d["sweeps"][0][member] = value; }; };
   const auto in_expect = [](json value) { return [=](json& d) { d["sweeps"][0]["expect"][0] = value; }; };
   const Row rows[] = {
@@ -230,7 +230,7 @@ TEST_CASE("a plan that is wrong is refused, with the place in words") {
   }
 }
 
-TEST_CASE("a plan must fit its program, and forget nothing") {
+TEST_CASE("a plan must fit its program, and cover all its settings") {
   const std::vector<std::string> outputs = {"colour", "position"};
   CHECK(error_of([&] { check_against(parsed(whole_plan()), settings(), outputs); }) == "");
   const Row rows[] = {
@@ -273,7 +273,7 @@ TEST_CASE("a plan must fit its program, and forget nothing") {
   }
 }
 
-TEST_CASE("where no values are given, the whole range is swept") {
+TEST_CASE("without values, the whole range is swept") {
   struct Default {
     const char* name;
     SettingSpec spec;

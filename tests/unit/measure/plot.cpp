@@ -1,4 +1,4 @@
-// Plots: what gnuplot is told, what is refused, and that a picture comes out.
+// Plots: gnuplot's input, refused input, and the resulting picture.
 #include "measure/plot.hpp"
 
 #include "catch.hpp"
@@ -21,7 +21,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 }  // namespace
 
-TEST_CASE("everything that is asked for reaches gnuplot") {
+TEST_CASE("all options reach gnuplot") {
   const std::string script = gnuplot_script(small_plot(), "out.svg");
   for (const char* part : {"set output 'out.svg'", "set logscale x", "set logscale y", "'pieces'", "'error, m'",
                            "'noise floor'", "'knee'", "title 'wall'", "\n8 0.03 "}) {
@@ -30,7 +30,7 @@ TEST_CASE("everything that is asked for reaches gnuplot") {
   }
 }
 
-TEST_CASE("what a logarithmic axis cannot show is drawn on its end") {
+TEST_CASE("values outside a logarithmic axis are drawn at its end") {
   const std::string script = gnuplot_script(small_plot(), "out.svg");
   // The smallest value is the level, 1e-3, with its air down to 1e-4; one decade more makes room for zeros.
   CHECK(holds(script, "$z0 << EOD\n16 1e-05 "));
@@ -59,7 +59,7 @@ TEST_CASE("curves differ in mark and in colour") {
   CHECK(holds(script, "#d55e00"));
 }
 
-TEST_CASE("what cannot be drawn is refused, with the plot's name") {
+TEST_CASE("invalid plots are refused with the plot's name") {
   struct Row {
     const char* name;
     void (*spoil)(Plot&);
@@ -86,7 +86,7 @@ TEST_CASE("what cannot be drawn is refused, with the plot's name") {
   }
 }
 
-TEST_CASE("gnuplot draws it, twice the same") {
+TEST_CASE("gnuplot draws the same file twice") {
   if (!can_plot()) SKIP_TEST("gnuplot is not installed");
   Plot plot = small_plot();
   plot.title = "5 < 6 & more";

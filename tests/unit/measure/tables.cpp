@@ -1,4 +1,4 @@
-// Results as text, and what of it may differ from one machine to another.
+// Results as text, and the allowed differences between machines.
 #include "measure/tables.hpp"
 
 #include <nlohmann/json.hpp>
@@ -70,7 +70,7 @@ TEST_CASE("a front without times has no ranking") {
   CHECK_FALSE(chart_of_front(front));
 }
 
-TEST_CASE("stored numbers may differ by what processors differ by, and by nothing else") {
+TEST_CASE("stored numbers may differ only as much as between processors") {
   const std::string stored = errors_as_csv(sample_sweep());
   CHECK(lines(stored)[0] == "kind,pieces,rmse");
   CHECK(lines(stored)[2] == "fine,4,0.25");
@@ -98,7 +98,7 @@ TEST_CASE("stored numbers may differ by what processors differ by, and by nothin
   }
 }
 
-TEST_CASE("charts show what was measured, and times only where they are asked for") {
+TEST_CASE("charts show the measurements, and times only on request") {
   SweepResult sweep = sample_sweep();
   sweep.plan.expect = {{.curve = "fine", .number = -2, .tolerance = 0.1, .reason = "r"}};
   const Plot errors = chart_of_errors(sweep);
@@ -121,7 +121,7 @@ TEST_CASE("charts show what was measured, and times only where they are asked fo
   CHECK(front->marks[0].at.x == Approx(2));
 }
 
-TEST_CASE("the page needs nothing beside it, and takes no text for mark-up") {
+TEST_CASE("the page is self-contained, and escapes text") {
   if (!can_plot()) SKIP_TEST("gnuplot is not installed");
   StepMeasured measured = small_table();
   measured.sweeps[0].plan.expect = {{.curve = "fine", .number = -1, .tolerance = 0.1, .reason = "<b>why</b>"}};

@@ -1,4 +1,4 @@
-// Leaving out what a beam misses changes no result: shadows are what a ray to every sample finds.
+// Culling by beams changes no result: shadows equal those of a ray to every sample.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
@@ -65,7 +65,7 @@ double visibility_ray_by_ray(const World& world, const oracle::SurfacePoint& poi
 
 }  // namespace
 
-TEST_CASE("shadows are what a ray to every sample finds", "[shadow]") {
+TEST_CASE("shadows equal those of a ray to every sample", "[shadow]") {
   const Scene scene = crowded_scene();
   const World world(scene, one_of_each());
   Dice dice;
@@ -87,7 +87,7 @@ TEST_CASE("shadows are what a ray to every sample finds", "[shadow]") {
   CHECK((dark > 50 && between > 100 && lit > 50));
 }
 
-TEST_CASE("a beam leaves out what lies beside, behind and beyond it", "[shadow]") {
+TEST_CASE("a beam culls faces beside, behind and beyond it", "[shadow]") {
   // From the origin up to a square of 1 m at y = 4: at half way it is half as wide.
   const oracle::Window window{.frame = {.right = {1, 0, 0}, .up = {0, 0, -1}, .ahead = {0, -1, 0}},
                               .middle = {0, 4, 0}};
@@ -116,7 +116,7 @@ TEST_CASE("a beam leaves out what lies beside, behind and beyond it", "[shadow]"
   }
 }
 
-TEST_CASE("a beam leaves out faces that none of its own sides keeps out", "[shadow]") {
+TEST_CASE("a beam culls faces that no single side excludes", "[shadow]") {
   const oracle::Window window{.frame = {.right = {1, 0, 0}, .up = {0, 0, -1}, .ahead = {0, -1, 0}},
                               .middle = {0, 4, 0}};
   const struct {
@@ -141,7 +141,7 @@ TEST_CASE("a beam leaves out faces that none of its own sides keeps out", "[shad
     }
 }
 
-TEST_CASE("the floor on which a beam stands is left out of it", "[shadow]") {
+TEST_CASE("a beam culls the floor that it starts on", "[shadow]") {
   Scene scene = dark_scene();
   add_object(scene, make_plane({.width = 100, .depth = 100}), 0, {.rotation_axis = {1, 0, 2}, .rotation_angle = 0.3f});
   const World world(scene);

@@ -1,4 +1,4 @@
-// The tree of boxes finds what trying everything finds.
+// The bounding volume hierarchy finds the same hits as testing every triangle.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -27,7 +27,7 @@ Scene confetti(int count) {
 
 }  // namespace
 
-TEST_CASE("a ray meets in the tree what it meets one by one", "[bvh]") {
+TEST_CASE("a ray finds the same hit in the tree as one by one", "[bvh]") {
   const Scene scene = confetti(2000);
   const oracle::World world(scene);
   const auto& vertices = scene.meshes[0].vertices;
@@ -54,7 +54,7 @@ TEST_CASE("a ray meets in the tree what it meets one by one", "[bvh]") {
   CHECK((met > 100 && met < 1900));
 }
 
-TEST_CASE("the tree stays shallow, however things lie", "[bvh]") {
+TEST_CASE("the tree is shallow for every arrangement", "[bvh]") {
   std::vector<Box3> row, points, heap(5000), spread;
   for (int i = 0; i < 4096; ++i) {
     row.push_back({{i, -1, -1}, {i + 0.5, 1, 1}});
@@ -82,7 +82,7 @@ TEST_CASE("the tree stays shallow, however things lie", "[bvh]") {
   }
 }
 
-TEST_CASE("there may be nothing at all", "[bvh]") {
+TEST_CASE("an empty tree is allowed", "[bvh]") {
   const oracle::Bvh tree(std::vector<Box3>{});
   CHECK(tree.empty());
   const double most = 1;

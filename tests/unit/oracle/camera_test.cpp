@@ -1,4 +1,4 @@
-// Which ray belongs to which pixel, and how deep a point lies.
+// The ray of a pixel, and the depth of a point.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "catch.hpp"
@@ -53,7 +53,7 @@ TEST_CASE("a point on a pixel's ray is projected into that pixel, at that depth"
   }
 }
 
-TEST_CASE("depth runs from plane to plane, either way round", "[camera]") {
+TEST_CASE("depth runs from plane to plane, normal or reversed", "[camera]") {
   for (const Camera& camera : {perspective_camera(), orthographic_camera()}) {
     const CameraRays rays(camera, {8, 8});
     const double near = camera.near, far = camera.far;
@@ -83,7 +83,7 @@ TEST_CASE("nothing before the near plane or behind the far plane is seen", "[cam
   CHECK_FALSE(sees());
 }
 
-TEST_CASE("a camera that looks along its up vector takes the axis that the contract names", "[camera]") {
+TEST_CASE("a camera that looks along its up vector uses the axis of the contract", "[camera]") {
   const struct {
     const char* name;
     glm::dvec3 target;

@@ -1,4 +1,4 @@
-// Where a surface ends and its shadow begins, in worlds of a millimetre and of a hundred kilometres.
+// Self-shadowing and contact shadows, in worlds of a millimetre and of a hundred kilometres.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -103,7 +103,7 @@ TEST_CASE("a box's shadow begins at the box, at any scale", "[shadow]") {
     }
 }
 
-TEST_CASE("a surface does not hide a light that lies in it, at any scale", "[shadow]") {
+TEST_CASE("a surface does not hide a light on it, at any scale", "[shadow]") {
   for (const double size : sizes)
     for (const glm::dvec3& shift : shifts) {
       const Ground ground(size, shift, false);

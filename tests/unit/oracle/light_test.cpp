@@ -1,4 +1,4 @@
-// Light that arrives and light that leaves, against closed forms.
+// Incoming and reflected light, against closed forms.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -61,7 +61,7 @@ TEST_CASE("a spot light's cone is a smooth step of the cosine", "[light]") {
   CHECK(oracle::spot_cone(-1, double(float(pi)), double(float(pi))) == 1);         // a float's pi is half a turn too
 }
 
-TEST_CASE("furnace: the albedo of the highlight is what its closed form says", "[furnace]") {
+TEST_CASE("furnace: the albedo of the highlight equals its closed form", "[furnace]") {
   for (const double n : {1.0, 8.0, 100.0, 1e4}) {
     const double plain = albedo_closed_form(n);
     const struct {
@@ -85,13 +85,13 @@ TEST_CASE("furnace: the albedo of the highlight is what its closed form says", "
   CHECK(std::abs(albedo(usual, 1, 2000).r - 1.075) < 1e-6);  // the hump
 }
 
-TEST_CASE("furnace: a diffuse surface gives back its colour in every direction", "[furnace]") {
+TEST_CASE("furnace: a diffuse surface reflects its colour in every direction", "[furnace]") {
   const Reflectance paper{.diffuse = {0.8, 0.4, 0.1}};
   for (const double cos_eye : {1.0, 0.5, 0.01})
     CHECK(glm::length(albedo(paper, cos_eye, 300) - paper.diffuse) < 1e-5);  // pi^2 / 24 / 300^2 = 5e-6
 }
 
-TEST_CASE("furnace: seen at a slant a normalised highlight gives back less, never more", "[furnace]") {
+TEST_CASE("furnace: at oblique angles a normalised highlight reflects less, never more", "[furnace]") {
   for (const double n : {8.0, 64.0}) {
     const Reflectance mirror{.specular = glm::dvec3(1), .exponent = n, .normalisation = Normalisation::exact};
     double before = 1 + 1e-4;  // straight on; 1e-4 for the quadrature
@@ -104,7 +104,7 @@ TEST_CASE("furnace: seen at a slant a normalised highlight gives back less, neve
   }
 }
 
-TEST_CASE("reflection has its limits where the contract sets them", "[light]") {
+TEST_CASE("reflection has the limits of the contract", "[light]") {
   const glm::dvec3 n(0, 1, 0), up(0, 1, 0), slant = glm::normalize(glm::dvec3(1, 1, 0));
   const Reflectance gloss{.diffuse = glm::dvec3(0.25), .specular = glm::dvec3(0.5), .exponent = 4};
   CHECK(reflected(gloss, n, up, up).r == 0.75);

@@ -1,4 +1,4 @@
-// Whole pictures against formulas that say what each pixel must be.
+// Whole pictures against formulas for each pixel.
 #include "catch.hpp"
 #include "pieces.hpp"
 #include "scene/builtin.hpp"
@@ -28,7 +28,7 @@ int wrong_pixels(const Image& image, double tolerance, Expected&& expected) {
 
 }  // namespace
 
-TEST_CASE("a sphere lit from the camera is shaded as its formula says, pixel by pixel", "[picture]") {
+TEST_CASE("a sphere lit from the camera equals its formula, pixel by pixel", "[picture]") {
   Scene scene = dark_scene({0.5f, 0.5f, 0.5f});
   scene.materials[0].specular = glm::vec3(0.25f);
   scene.materials[0].exponent = 40;
@@ -156,7 +156,7 @@ TEST_CASE("no lit surface shades itself", "[picture]") {
   }
 }
 
-TEST_CASE("the picture depends neither on the number of threads nor on where the world stands", "[picture]") {
+TEST_CASE("the picture depends neither on the number of threads nor on the world's position", "[picture]") {
   Scene scene = make_builtin_scene("primitives");
   const auto picture = [](const Scene& traced, int threads, Output output) {
     return trace(World(traced), {.camera = traced.camera,
@@ -201,7 +201,7 @@ TEST_CASE("a pixel is the mean of its samples", "[picture]") {
   CHECK(mean(64) == Approx(1 / 9.0).margin(2.0 / 64));  // a row of samples at most falls on the wrong side
 }
 
-TEST_CASE("the data outputs say where and what", "[picture]") {
+TEST_CASE("the data outputs give positions and nodes", "[picture]") {
   Scene scene = dark_scene();
   add_object(scene, make_plane({.width = 2, .depth = 2}), 0);
   add_object(scene, make_plane({.width = 1, .depth = 1}), 0, {.translation = {0, 0.5, 0}});
@@ -226,7 +226,7 @@ TEST_CASE("nothing to see: the background", "[picture]") {
   CHECK(image == Image(3, 2, {0.25f, 0.5f, 0.75f, 1}));
 }
 
-TEST_CASE("what is out of range is refused, and what is thrown comes back", "[picture]") {
+TEST_CASE("values out of range are refused, and exceptions are passed on", "[picture]") {
   Scene scene = dark_scene();
   const World world(scene, {ground(1000)});
   const oracle::PictureRequest request{.camera = map_camera(4), .size = {16, 16}};

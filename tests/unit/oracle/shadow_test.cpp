@@ -1,4 +1,4 @@
-// How much of a light a point sees, against formulas.
+// The visible fraction of a light, against formulas.
 #include <fmt/format.h>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -59,7 +59,7 @@ double worst_across(const World& world, const Light& light, const Shading& shadi
 
 }  // namespace
 
-TEST_CASE("behind an edge the light fades as its square is cut", "[shadow]") {
+TEST_CASE("behind an edge the light fades as the visible part of its square", "[shadow]") {
   // The light hangs at zR = 4 m, the edge zB = 3 m below it: the penumbra is (zR - zB) / zB L wide.
   const double width = 0.6, edge_height = 1, light_height = 4;
   const double penumbra = edge_height / (light_height - edge_height) * width;
@@ -93,7 +93,7 @@ TEST_CASE("the mean over a penumbra is better than its worst point", "[shadow]")
   CHECK(sum / points < 1e-3);  // half a sample at worst, a quarter on average: 1 / (4 * 256)
 }
 
-TEST_CASE("the sun's square of directions fades behind an edge, wherever the sun stands", "[shadow]") {
+TEST_CASE("a directional light's square of directions fades behind an edge, at every angle", "[shadow]") {
   const Scene scene = dark_scene();
   const double height = 2, width = 0.05;
   const World world(scene, {half_plane(height)});
@@ -136,7 +136,7 @@ TEST_CASE("a square before the light hides all or half of it", "[shadow]") {
       }
 }
 
-TEST_CASE("a square lamp through an upright pipe", "[shadow]") {
+TEST_CASE("a square light through a vertical pipe", "[shadow]") {
   // The pipe's upper rim, 0.2 m at 2 m, cuts a circle of 0.4 m out of the lamp, which is 0.8 m wide and 4 m high. All
   // four corners are hidden by the one wall, and yet the middle is seen.
   const Scene scene = dark_scene();
@@ -149,7 +149,7 @@ TEST_CASE("a square lamp through an upright pipe", "[shadow]") {
   CHECK(std::abs(found - pi / 4) < 5e-4);
 }
 
-TEST_CASE("a light without extent throws hard shadows, bit for bit", "[shadow]") {
+TEST_CASE("a light without extent casts hard shadows, bit for bit", "[shadow]") {
   const Scene scene = make_builtin_scene("primitives");
   const World world(scene);
   const auto picture = [&](const Shading& shading) {
@@ -162,7 +162,7 @@ TEST_CASE("a light without extent throws hard shadows, bit for bit", "[shadow]")
   CHECK_FALSE(picture({}) == hard);
 }
 
-TEST_CASE("who takes no part in shadows is lit", "[shadow]") {
+TEST_CASE("surfaces without a caster, receiver or shadowing light are lit", "[shadow]") {
   const auto seen = [](auto&& change, const Shading& shading) {
     Scene scene = dark_scene();
     oracle::Shape roof = half_plane(1, -high);
@@ -184,7 +184,7 @@ TEST_CASE("who takes no part in shadows is lit", "[shadow]") {
   CHECK(seen([](auto&...) {}, Shading{}) == 1);
 }
 
-TEST_CASE("a share of each light multiplies what is seen of it", "[shadow]") {
+TEST_CASE("a fraction of each light is multiplied by its visibility", "[shadow]") {
   // A pane that halves what falls on x > 0, and lets a quarter of one light through.
   const auto pane = [](const Light& light, const glm::dvec3& position) {
     return (light.name == "dim" ? 0.25 : 1.0) * (position.x > 0 ? 0.5 : 1.0);
@@ -225,7 +225,7 @@ TEST_CASE("a share of each light multiplies what is seen of it", "[shadow]") {
   }
 }
 
-TEST_CASE("what is not let through is missing from a picture, and ambient light is not", "[shadow]") {
+TEST_CASE("blocked light is missing from a picture, ambient light is not", "[shadow]") {
   Scene scene = dark_scene();
   scene.ambient = glm::vec3(0.25f);
   scene.lights = {lamp(LightType::directional, 0), lamp(LightType::directional, 0)};
@@ -238,7 +238,7 @@ TEST_CASE("what is not let through is missing from a picture, and ambient light 
   for (int x = 0; x < 4; ++x) CHECK(picture.at(x, 1).r == (x < 2 ? 2.25f : 1.75f));
 }
 
-TEST_CASE("a lamp in a closed box is seen from inside alone", "[shadow]") {
+TEST_CASE("a light in a closed box is visible only from inside", "[shadow]") {
   Scene scene = dark_scene();
   add_object(scene, make_box({.size = glm::vec3(2)}), 0, {.rotation_axis = {1, 2, 3}, .rotation_angle = 0.7f});
   const World world(scene);

@@ -61,7 +61,7 @@ TEST_CASE("a wall is seen from the side that it faces", "[shape]") {
   CHECK_FALSE(oracle::intersect(CylinderWall{2, 0.5}, through, true));
 }
 
-TEST_CASE("a tessellated wall stands inside the round one by the sagitta", "[shape]") {
+TEST_CASE("a tessellated wall is inside the round one by the sagitta", "[shape]") {
   for (const Side side : {Side::outside, Side::inside})
     for (const int n : {3, 16, 64, 256}) {
       INFO(n << " segments");

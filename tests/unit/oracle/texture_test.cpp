@@ -1,4 +1,4 @@
-// Texels: which of them, how mixed, and what comes beyond the picture.
+// Texels: selection, filtering and wrapping.
 #include "catch.hpp"
 #include "pieces.hpp"
 

@@ -1,4 +1,4 @@
-// Ray and triangle: where, from which side, and never between two.
+// Intersections of rays and triangles: position, side, and no gaps between triangles.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -25,7 +25,7 @@ std::vector<glm::dvec3> seams(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("a triangle is met inside, on its edges and at its corners, from both sides", "[triangle]") {
+TEST_CASE("a triangle is hit inside, on its edges and at its corners, from both sides", "[triangle]") {
   const struct {
     const char* name;
     glm::dvec3 origin, direction;
@@ -55,7 +55,7 @@ TEST_CASE("a triangle is met inside, on its edges and at its corners, from both 
   }
 }
 
-TEST_CASE("only the ray's stretch counts, its ends included", "[triangle]") {
+TEST_CASE("only hits within the ray's interval count, including its ends", "[triangle]") {
   const auto met = [](double least, double most) {
     return intersect(ShearedRay({{0.5, 0.5, 2}, {0, 0, -1}, least, most}), a, b, c).has_value();
   };
@@ -66,14 +66,14 @@ TEST_CASE("only the ray's stretch counts, its ends included", "[triangle]") {
   CHECK(met(-5, 5));
 }
 
-TEST_CASE("triangles without area are never met", "[triangle]") {
+TEST_CASE("triangles without area are never hit", "[triangle]") {
   const ShearedRay ray({{0.5, 0, 1}, {0, 0, -1}});
   CHECK_FALSE(intersect(ray, a, b, b));
   CHECK_FALSE(intersect(ray, a, b, {1, 0, 0}));
   CHECK_FALSE(intersect(ray, a, a, a));
 }
 
-TEST_CASE("no ray slips out of a closed mesh between its triangles", "[triangle]") {
+TEST_CASE("no ray leaves a closed mesh between its triangles", "[triangle]") {
   const struct {
     const char* name;
     Mesh mesh;

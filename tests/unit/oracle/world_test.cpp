@@ -1,4 +1,4 @@
-// A scene made ready: where things stand, which way they face, and what the matrices of hard cases leave of them.
+// Preparing a scene for tracing: positions, facing, and difficult matrices.
 #include "catch.hpp"
 #include "pieces.hpp"
 #include "scene/builtin.hpp"
@@ -27,7 +27,7 @@ const Ray from_front{{0.5, 0.5, 5}, {0, 0, -1}}, from_behind{{0.5, 0.5, -5}, {0,
 
 }  // namespace
 
-TEST_CASE("faces that turn away are passed through unless they are two-sided", "[world]") {
+TEST_CASE("back faces are not hit unless they are two-sided", "[world]") {
   const struct {
     const char* name;
     bool two_sided;
@@ -75,7 +75,7 @@ TEST_CASE("mirrored, flattened and turned models face the way that OpenGL draws 
   }
 }
 
-TEST_CASE("what is flattened to a line or a point is not seen, and harms nobody", "[world]") {
+TEST_CASE("meshes flattened to a line or a point are invisible and harmless", "[world]") {
   for (const glm::vec3& scale : {glm::vec3(1, 0, 0), glm::vec3(0)}) {
     const Scene scene = one_triangle({.scale = scale}, true);
     const World world(scene);
@@ -84,7 +84,7 @@ TEST_CASE("what is flattened to a line or a point is not seen, and harms nobody"
   }
 }
 
-TEST_CASE("normals stay square to a stretched surface", "[world]") {
+TEST_CASE("normals stay perpendicular to a stretched surface", "[world]") {
   Dice dice;
   for (int i = 0; i < 100; ++i) {
     glm::dmat4 model(glm::dmat3(dice.in_cube(), dice.in_cube(), dice.in_cube()));
@@ -97,7 +97,7 @@ TEST_CASE("normals stay square to a stretched surface", "[world]") {
   }
 }
 
-TEST_CASE("world matrices reach down a thousand levels and across a million metres", "[world]") {
+TEST_CASE("world matrices work over a thousand levels and a million metres", "[world]") {
   Scene scene = dark_scene();
   for (int i = 0; i < 1000; ++i) add_node(scene, {.parent = i - 1, .translation = {1000, 0.25, 0}});
   add_object(scene, facing_z(), 0, {.parent = 999});
@@ -114,13 +114,13 @@ TEST_CASE("world matrices reach down a thousand levels and across a million metr
   for (int column = 0; column < 4; ++column) CHECK(glm::length(last[column] - glm::dmat4(1)[column]) < 1000 * 2.4e-10);
 }
 
-TEST_CASE("of things at one distance the first in the scene is seen", "[world]") {
+TEST_CASE("of surfaces at equal distance, the first in the scene is visible", "[world]") {
   Scene scene = dark_scene();
   for (int i = 0; i < 9; ++i) add_object(scene, facing_z(), 0);
   CHECK(World(scene).seen(from_front)->thing == 0);
 }
 
-TEST_CASE("only what casts shadows blocks, from either side", "[world]") {
+TEST_CASE("only shadow casters block light, from both sides", "[world]") {
   for (const bool casts : {true, false}) {
     Scene scene = one_triangle({.casts_shadow = casts});
     const World world(scene, {{.surface = oracle::Sphere{0.5},
@@ -153,7 +153,7 @@ TEST_CASE("the built-in scenes come with all their triangles", "[world]") {
   }
 }
 
-TEST_CASE("a scene that is wrong is refused", "[world]") {
+TEST_CASE("an invalid scene is refused", "[world]") {
   Scene scene = one_triangle({});
   scene.nodes[0].material = 3;
   CHECK(mentions(error_of([&] { World world(scene); }), {"scene 'test'", "material 3"}));

@@ -72,7 +72,7 @@ void main() {
   CHECK(pixel.draw() == Rgba{1, 1, 1, 1});
 }
 
-TEST_CASE("a binder hands out texture units one after another", "[binder]") {
+TEST_CASE("a binder assigns texture units in order", "[binder]") {
   const auto context = make_headless_context();
   Gl& gl = context->gl();
   Pixel pixel(gl, R"(

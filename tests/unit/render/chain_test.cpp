@@ -1,4 +1,4 @@
-// What happens to a picture after the scene: passes of shaders and of the CPU, what they read, and what is left out.
+// Post-processing: passes of shaders and of the CPU, their inputs, and skipped passes.
 #include "catch.hpp"
 #include "gl/full_screen.hpp"
 #include "image/colour.hpp"
@@ -66,7 +66,7 @@ TEST_CASE("a chain keeps every pixel where it is", "[chain]") {
   }
 }
 
-TEST_CASE("passes that change nothing are not run, and a chain of them is none", "[chain]") {
+TEST_CASE("passes that change nothing are skipped, and so is a chain of them", "[chain]") {
   ChainStage stage;
   ChainPass nothing = shader_pass(stage.shaders, "nothing", "vec4(1.0)");
   nothing.identity = true;
@@ -85,7 +85,7 @@ TEST_CASE("passes that change nothing are not run, and a chain of them is none",
   CHECK(passes() == 2);
 }
 
-TEST_CASE("outputs that a pass reads are drawn for it alone", "[chain]") {
+TEST_CASE("outputs that a pass reads are drawn as separate views", "[chain]") {
   ChainStage stage;
   ChainPass reading = shader_pass(stage.shaders, "reading", "vec4(texture(u_normal, texcoord).rgb, 1.0)");
   reading.reads = {"normal"};
@@ -103,7 +103,7 @@ TEST_CASE("outputs that a pass reads are drawn for it alone", "[chain]") {
   CHECK(stage.gl().counts().passes == 4);  // the normals once
 }
 
-TEST_CASE("a pass can read what the scene was before the first one, and no other pass", "[chain]") {
+TEST_CASE("a pass can read the scene before the first pass, and no other pass", "[chain]") {
   ChainStage stage;
   ChainPass sum = shader_pass(stage.shaders, "sum", "vec4(c.rgb + texture(u_colour, texcoord).rgb, 1.0)");
   sum.reads = {"colour"};
@@ -116,7 +116,7 @@ TEST_CASE("a pass can read what the scene was before the first one, and no other
   CHECK(mentions(error_of([&] { stage.middle(); }), {"halved", "this scene offers"}));
 }
 
-TEST_CASE("a chain ends in a target of several samples, and begins in one", "[chain]") {
+TEST_CASE("a chain can read from and write to a multisampled target", "[chain]") {
   ChainStage stage;
   stage.spec.samples = 4;
   const Image plain = stage.draw(triangle_scene());
@@ -150,7 +150,7 @@ TEST_CASE("a pass of the CPU works on floats or on bytes", "[chain]") {
   CHECK(stage.draw(scene).at(0, 0).r == 0.5f);
 }
 
-TEST_CASE("pictures between passes have the format that is asked for", "[chain]") {
+TEST_CASE("pictures between passes have the requested format", "[chain]") {
   ChainStage stage;
   stage.piece->chain = {shader_pass(stage.shaders, "bright", "vec4(4.0, 0.3, 1.0 / 3.0, 1.0)"),
                         shader_pass(stage.shaders, "same", "c")};
@@ -169,7 +169,7 @@ TEST_CASE("pictures between passes have the format that is asked for", "[chain]"
   }
 }
 
-TEST_CASE("targets are lent, used again, and freed where nobody has used them", "[chain]") {
+TEST_CASE("targets are borrowed, reused, and freed if unused", "[chain]") {
   const auto context = make_headless_context();
   TargetPool pool(context->gl());
   const TargetSpec spec{.width = 4, .height = 4};
@@ -187,7 +187,7 @@ TEST_CASE("targets are lent, used again, and freed where nobody has used them", 
   CHECK(pool.size() == 1);  // one was not used in a whole frame; the other is in somebody's hands
 }
 
-TEST_CASE("a chain makes no targets in a frame at rest", "[chain]") {
+TEST_CASE("a chain creates no targets if nothing has changed", "[chain]") {
   ChainStage stage;
   stage.piece->chain = {shader_pass(stage.shaders, "halved", "c * 0.5"), shader_pass(stage.shaders, "same", "c")};
   const View view{.camera = triangle_scene().camera};
@@ -198,7 +198,7 @@ TEST_CASE("a chain makes no targets in a frame at rest", "[chain]") {
   CHECK(stage.gl().counts().allocated_bytes == 0);
 }
 
-TEST_CASE("what a student's functions of a chain answer is checked", "[chain]") {
+TEST_CASE("the results of a student's chain functions are checked", "[chain]") {
   ChainStage stage;
   const Scene scene = triangle_scene();
   const std::vector<ChainPass> two = {shader_pass(stage.shaders, "same", "c"),

@@ -1,4 +1,4 @@
-// Only what the scene requires: what a frame costs, and that it falls where a scene has less or has not moved.
+// The cost of a frame: it is lower if a scene has less or has not moved.
 #include <random>
 
 #include "catch.hpp"
@@ -55,7 +55,7 @@ Scene triangles(const std::vector<glm::dvec3>& places) {
 
 }  // namespace
 
-TEST_CASE("matrices are computed once, and again only where they change", "[counts]") {
+TEST_CASE("matrices are computed once, and again only if they change", "[counts]") {
   CountingStudio studio;
   Scene scene = triangles({{0, 0, 0}, {0.5, 0, 0}});
   studio.renderer.prepare(scene);
@@ -110,7 +110,7 @@ TEST_CASE("camera-relative matrices follow the eye", "[counts]") {
   CHECK(studio.renderer.counts().matrices == 3);
 }
 
-TEST_CASE("what a student's function throws leaves nothing behind", "[counts]") {
+TEST_CASE("an exception in a student's function has no side effects", "[counts]") {
   CountingStudio studio;
   Scene scene = triangles({{0, 0, 0}});
   studio.renderer.prepare(scene);
@@ -130,7 +130,7 @@ TEST_CASE("what a student's function throws leaves nothing behind", "[counts]") 
   CHECK(studio.target.read_colour(studio.context->gl()) == studio.draw(view));
 }
 
-TEST_CASE("nodes outside the view are left out, and no pixel changes", "[counts]") {
+TEST_CASE("nodes outside the view are culled, and no pixel changes", "[counts]") {
   const struct {
     const char* name;
     glm::dvec3 place;
@@ -175,7 +175,7 @@ TEST_CASE("nodes outside the view are left out, and no pixel changes", "[counts]
         }
 }
 
-TEST_CASE("what floats put into the view is never outside, far from the origin too", "[counts]") {
+TEST_CASE("nodes that rounding moves into the view are not culled, also far from the origin", "[counts]") {
   std::mt19937 random(3);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   const auto point = [&](double size) {
@@ -214,7 +214,7 @@ TEST_CASE("what floats put into the view is never outside, far from the origin t
   }
 }
 
-TEST_CASE("a box is outside only where all of it is", "[counts]") {
+TEST_CASE("a box is outside only if all of it is", "[counts]") {
   const glm::mat4 projection = glm::perspective(1.0f, 1.0f, 0.5f, 10.0f), here(1);
   const auto box = [](glm::dvec3 low, glm::dvec3 high) {
     Box3 made;

@@ -88,7 +88,7 @@ std::vector<std::string> names_of(const std::vector<DrawConstant>& constants) {
 
 }  // namespace
 
-TEST_CASE("of constants each is taken in its turn if there is room for all of it", "[draw_constants]") {
+TEST_CASE("constants are chosen in order, each only if it fits completely", "[draw_constants]") {
   const std::vector<DrawConstant> listed = {{"vec3", "a"},
                                             {"mat4", "b"},
                                             {"Lamp", "c", "LAMPS", {{"vec3", "at"}, {"float", "far"}}},
@@ -130,7 +130,7 @@ TEST_CASE("constants are packed without gaps", "[draw_constants]") {
   CHECK(nothing.vertex_declarations + nothing.fragment_declarations == "");
 }
 
-TEST_CASE("by uniforms the shaders are those of a feature that lists no constants", "[draw_constants]") {
+TEST_CASE("with uniforms, the shaders equal those without draw constants", "[draw_constants]") {
   Fixture f;
   const SurfaceSources listed = f.assemble({});
   CHECK(left_as_uniforms(listed) == names_of(constants_of_all_types));
@@ -141,7 +141,7 @@ TEST_CASE("by uniforms the shaders are those of a feature that lists no constant
   CHECK(plain.fragment.text.find("v_constants") == std::string::npos);
 }
 
-TEST_CASE("as varyings so many constants are handed over as the driver has room for", "[draw_constants]") {
+TEST_CASE("as many constants are passed as varyings as the driver supports", "[draw_constants]") {
   Fixture f;
   const auto context = make_headless_context();
   const struct {
@@ -170,7 +170,7 @@ TEST_CASE("as varyings so many constants are handed over as the driver has room 
   }
 }
 
-TEST_CASE("constants of every type arrive as varyings with all their bits", "[draw_constants]") {
+TEST_CASE("constants of every type are passed as varyings with all their bits", "[draw_constants]") {
   Stage stage;
   auto piece = piece_for(stage.shaders, Slot::shade, "shade", all_types);
   piece->constants = constants_of_all_types;
@@ -183,7 +183,7 @@ TEST_CASE("constants of every type arrive as varyings with all their bits", "[dr
   CHECK(stage.draw(triangle_scene()) == by_uniforms);
 }
 
-TEST_CASE("a constant that is not declared as it is listed is named", "[draw_constants]") {
+TEST_CASE("a constant whose declaration differs from the list is named", "[draw_constants]") {
   Fixture f;
   f.piece->constants = {{"vec4", "u_vec3"}};
   CHECK(mentions(error_of([&] { f.assemble(by_varyings); }), {"u_vec3", "uniform vec4 u_vec3;"}));

@@ -1,5 +1,4 @@
-// A view inside a view, marked in the stencil buffer: a window in a wall through which the scene is seen from
-// elsewhere.
+// A view inside a view, marked in the stencil buffer: a portal through which the scene is seen from elsewhere.
 #include "catch.hpp"
 #include "gl/full_screen.hpp"
 #include "gl/state.hpp"
@@ -100,7 +99,7 @@ const glm::vec3 behind{0, 0, 0.25f};
 
 }  // namespace
 
-TEST_CASE("a window shows what is elsewhere, and only there", "[nested]") {
+TEST_CASE("a portal shows another view, only in its own area", "[nested]") {
   WindowStage stage;
   const Image picture = stage.draw(window_scene());
   CHECK(is(picture.at(16, 16), red));
@@ -113,7 +112,7 @@ TEST_CASE("a window shows what is elsewhere, and only there", "[nested]") {
   CHECK(stage.renderer->needs_stencil());
 }
 
-TEST_CASE("what stands before a window covers it, and the window covers what stands behind it", "[nested]") {
+TEST_CASE("objects in front of a portal cover it, and it covers those behind it", "[nested]") {
   WindowStage stage;
   Scene scene = window_scene();
   scene.meshes.push_back(square(0.25f));
@@ -124,7 +123,7 @@ TEST_CASE("what stands before a window covers it, and the window covers what sta
   CHECK(is(picture.at(21, 16), red));
 }
 
-TEST_CASE("a window's depth stands in the picture behind it, for what is drawn later", "[nested]") {
+TEST_CASE("a portal's depth is written, for later drawing", "[nested]") {
   // A second feature draws a square behind the first window's plane, after it: nothing of it may be seen.
   struct Later : Piece {
     float z = -0.25f;
@@ -152,7 +151,7 @@ TEST_CASE("a window's depth stands in the picture behind it, for what is drawn l
   }
 }
 
-TEST_CASE("a window in a window is seen as deep as its feature goes", "[nested]") {
+TEST_CASE("nested portals are drawn up to the feature's depth", "[nested]") {
   // A green wall stands left of the window, from -2 to -1 m, where the picture begins at -1.5. Each view shows the
   // world 0.25 m farther right, its window too: another quarter of a metre of the wall, to the right of the one before.
   const auto green_pixels = [](int deepest) {
@@ -172,7 +171,7 @@ TEST_CASE("a window in a window is seen as deep as its feature goes", "[nested]"
   for (int deepest = 0; deepest <= 3; ++deepest) CHECK(green_pixels(deepest) == expected[deepest]);
 }
 
-TEST_CASE("a clip plane leaves out what lies before a window's view", "[nested]") {
+TEST_CASE("a clip plane removes what is in front of a portal's view", "[nested]") {
   const auto middle = [](std::optional<glm::dvec4> clip, bool relative) {
     WindowStage stage;
     stage.window->clip = clip;
@@ -188,7 +187,7 @@ TEST_CASE("a clip plane leaves out what lies before a window's view", "[nested]"
   CHECK(is(middle(glm::dvec4(0, 0, -1, 2), false), green));
 }
 
-TEST_CASE("a mirrored view turns front faces round", "[nested]") {
+TEST_CASE("a mirrored view swaps front and back faces", "[nested]") {
   const auto middle = [](bool mirror) {
     WindowStage stage;
     stage.window->mirror = mirror;
@@ -199,7 +198,7 @@ TEST_CASE("a mirrored view turns front faces round", "[nested]") {
   CHECK(is(middle(true), red));
 }
 
-TEST_CASE("a window shows the same where depth is reversed", "[nested]") {
+TEST_CASE("a portal shows the same with reversed depth", "[nested]") {
   WindowStage stage;
   if (!stage.gl().ClipControl.call) return;
   Scene scene = window_scene();
@@ -209,7 +208,7 @@ TEST_CASE("a window shows the same where depth is reversed", "[nested]") {
   CHECK(stage.draw(scene, {.camera = scene.camera, .reversed_depth = true}) == plain);
 }
 
-TEST_CASE("maps of a mirrored view are drawn with fronts as they are", "[nested]") {
+TEST_CASE("maps of a mirrored view are drawn with unchanged front faces", "[nested]") {
   // A feature draws a pass that culls back faces before a view of its own that is mirrored.
   struct Mirrored : Piece {
     std::optional<Target> map, target;
@@ -242,7 +241,7 @@ TEST_CASE("maps of a mirrored view are drawn with fronts as they are", "[nested]
   CHECK(seen.map->read_colour(stage.gl()).at(4, 4).r == 1);
 }
 
-TEST_CASE("a scissor bounds a view inside another", "[nested]") {
+TEST_CASE("a scissor limits a view inside another", "[nested]") {
   struct Cut : Window {
     void draw_inside(Gl& gl, const Scene& scene, const Viewpoint& around, const Target& target,
                      ScenePainter& painter) override {

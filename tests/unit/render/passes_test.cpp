@@ -1,4 +1,4 @@
-// What a feature draws before the view and instead of it, and how it says what of a light a surface sees.
+// What a feature draws before a view and instead of it, and how it returns a light's visibility.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -74,7 +74,7 @@ struct DepthStudio {
 
 }  // namespace
 
-TEST_CASE("a feature draws before the view, and the view is none the worse for it", "[passes]") {
+TEST_CASE("a feature draws before the view without affecting it", "[passes]") {
   DepthStudio studio;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
@@ -100,7 +100,7 @@ TEST_CASE("a feature draws before the view, and the view is none the worse for i
   CHECK(picture.at(10, 20) == grey);
 }
 
-TEST_CASE("only the nodes that a pass names are drawn in it, and mirrored ones face the right way", "[passes]") {
+TEST_CASE("only a pass's nodes are drawn in it, with correct faces if mirrored", "[passes]") {
   DepthStudio studio;
   Scene scene = triangle_scene();
   scene.nodes.push_back({.name = "mirrored", .translation = {0, 0, 0}, .scale = {-1, 1, 1}, .mesh = 0});
@@ -127,7 +127,7 @@ TEST_CASE("a feature may fill the target instead of the scene", "[passes]") {
   CHECK(studio.renderer.counts().nodes == 0);
 }
 
-TEST_CASE("a pass's shader that has changed is taken, a broken one is told", "[passes]") {
+TEST_CASE("a pass's changed shader is used, a broken one is reported", "[passes]") {
   DepthStudio studio;
   const Scene scene = triangle_scene();
   studio.renderer.prepare(scene);
@@ -144,7 +144,7 @@ TEST_CASE("a pass's shader that has changed is taken, a broken one is told", "[p
   CHECK(depth() == Approx(0.5).margin(1e-6));
 }
 
-TEST_CASE("lights and nodes that move are told to the features", "[passes]") {
+TEST_CASE("moving lights and nodes are reported to the features", "[passes]") {
   struct Told : Piece {
     int times = 0;
     void moved(const Scene&) override { ++times; }

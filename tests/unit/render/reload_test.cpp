@@ -37,7 +37,7 @@ struct ReloadStudio {
 
 }  // namespace
 
-TEST_CASE("an edited shader is taken without a restart", "[reload]") {
+TEST_CASE("an edited shader is used without a restart", "[reload]") {
   ReloadStudio studio;
   CHECK(studio.renderer->reload_changed_shaders().empty());  // nothing is built yet
   CHECK(studio.draw() == Rgba{1, 0, 0, 1});
@@ -51,7 +51,7 @@ TEST_CASE("an edited shader is taken without a restart", "[reload]") {
   CHECK(studio.draw() == Rgba{0, 1, 0, 1});
 }
 
-TEST_CASE("a shader reads no file from outside of the folders that it is given", "[reload]") {
+TEST_CASE("a shader cannot include files outside its folders", "[reload]") {
   const TemporaryFolder folder;
   const auto secret = folder.path() / "secret.glsl";
   write_file(secret, "vec3 shade(Surface surface) { return vec3(1.0); }\n");

@@ -81,7 +81,7 @@ TEST_CASE("intermediates show the surface", "[renderer]") {
   CHECK(studio.draw(scene, {.camera = scene.camera, .output = "position"}).at(0, 0) == Rgba{0, 0, 0, 1});
 }
 
-TEST_CASE("faces that turn away are left out, unless they have two sides", "[renderer]") {
+TEST_CASE("back faces are culled unless the material is two-sided", "[renderer]") {
   Studio studio;
   Scene scene = triangle_scene();
   scene.nodes[0].rotation_angle = glm::pi<float>();  // about +y: its back shows
@@ -230,7 +230,7 @@ TEST_CASE("equal keys share a program, and a program is linked once", "[renderer
   CHECK(studio.gl().counts().programs_linked == 2);  // another output: both variants anew
 }
 
-TEST_CASE("features are asked, prepared and bound as they are needed", "[renderer]") {
+TEST_CASE("features are queried, prepared and bound only when needed", "[renderer]") {
   auto feature = std::make_unique<Piece>();
   feature->wants = [](const Material& material) { return Need{.wanted = material.name == "shiny"}; };
   Studio studio(std::move(feature));
@@ -254,7 +254,7 @@ TEST_CASE("features are asked, prepared and bound as they are needed", "[rendere
   CHECK(studio.piece->configured == 1);
 }
 
-TEST_CASE("a viewpoint tells features where world space is", "[renderer]") {
+TEST_CASE("a viewpoint has the origin of world space", "[renderer]") {
   auto feature = std::make_unique<Piece>();
   glm::vec3 eye(7);
   glm::dvec3 origin(7);
@@ -286,7 +286,7 @@ TEST_CASE("every size can be drawn, and every projection", "[renderer]") {
   CHECK(std::abs(count(image, grey) - 24 * 24 / 2) <= 24);  // the pixels on the diagonal go either way
 }
 
-TEST_CASE("edges can be drawn, and leave nothing behind", "[renderer]") {
+TEST_CASE("wireframes can be drawn, without side effects", "[renderer]") {
   Studio studio;
   const Scene scene = triangle_scene();
   const Image plain = studio.draw(scene);
@@ -299,7 +299,7 @@ TEST_CASE("edges can be drawn, and leave nothing behind", "[renderer]") {
   CHECK(studio.draw(scene) == plain);
 }
 
-TEST_CASE("what a student has not written yet draws nothing", "[renderer]") {
+TEST_CASE("unwritten student's functions draw nothing", "[renderer]") {
   Studio studio;
   TransformFunctions unwritten = fake_transforms();
   unwritten.upload_mesh = [](Gl&, std::span<const Vertex>, std::span<const std::uint32_t>) { return MeshBuffers{}; };
@@ -328,7 +328,7 @@ TEST_CASE("a mesh without indices is drawn in order", "[renderer]") {
   CHECK(target.read_colour(studio.gl()) == plain);
 }
 
-TEST_CASE("what cannot be drawn is said", "[renderer]") {
+TEST_CASE("invalid drawings are reported", "[renderer]") {
   Studio studio;
   const Scene scene = triangle_scene();
   const Target target(studio.gl(), {.width = 8, .height = 8});

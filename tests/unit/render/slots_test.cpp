@@ -1,5 +1,4 @@
-// Features compose: what fills a slot each time, in which order, and that no one undoes what another has done. All are
-// judged by pixels.
+// Features compose: the code in a slot, its order, and no lost effects. All tests check pixels.
 #include "catch.hpp"
 #include "pieces.hpp"
 
@@ -17,7 +16,7 @@ const std::string shade_normal = "vec3 shade(Surface s) { return abs(normalize(s
 
 }  // namespace
 
-TEST_CASE("a feature that changes the normal is seen by what shades, and by the output of normals", "[slots]") {
+TEST_CASE("a changed normal affects shading and the output of normals", "[slots]") {
   Stage stage;
   auto shading = piece_for(stage.shaders, Slot::shade, "shade", shade_normal);
   auto bump = piece_for(stage.shaders, Slot::modify_surface, "bump",
@@ -67,7 +66,7 @@ TEST_CASE("texture coordinates are displaced before anything else reads the surf
   CHECK(middle(stage.draw(triangle_scene())) == Rgba{0.25f, 0.5f, 0, 1});
 }
 
-TEST_CASE("a fragment that a feature discards is not there, in any output", "[slots]") {
+TEST_CASE("a discarded fragment is missing from every output", "[slots]") {
   Stage stage;
   stage.open({}, piece_for(stage.shaders, Slot::discard_fragment, "holes",
                            "bool holes(Surface s) { return s.texcoord.x < 0.25; }\n"));
@@ -79,7 +78,7 @@ TEST_CASE("a fragment that a feature discards is not there, in any output", "[sl
   CHECK(middle(depth).r > 0);
 }
 
-TEST_CASE("light is added to what is shaded, and a fog changes all of it", "[slots]") {
+TEST_CASE("indirect light is added to the shaded colour, and fog changes the sum", "[slots]") {
   Stage stage;
   auto glow =
       piece_for(stage.shaders, Slot::indirect, "glow", "vec3 glow(Surface s) { return vec3(0.0, 0.25, 0.0); }\n");
@@ -96,7 +95,7 @@ TEST_CASE("light is added to what is shaded, and a fog changes all of it", "[slo
   CHECK(stage.draw(scene, {.camera = scene.camera, .output = "position"}).at(0, 0) == Rgba{0, 0, 0, 1});
 }
 
-TEST_CASE("light at the corners is worked out there unless the surface changes between them", "[slots]") {
+TEST_CASE("vertex lighting is computed per vertex unless a feature changes the surface per pixel", "[slots]") {
   const auto draw = [](bool bump) {
     Stage stage;
     auto shading = piece_for(stage.shaders, Slot::shade, "shade",
@@ -117,7 +116,7 @@ TEST_CASE("light at the corners is worked out there unless the surface changes b
   CHECK(pixels.g == 1);
 }
 
-TEST_CASE("what features know of a light's visibility is multiplied, 1 where nobody knows", "[slots]") {
+TEST_CASE("the features' visibilities of a light are multiplied; the default is 1", "[slots]") {
   const std::string shade =
       "vec3 shade(Surface s) {\n"
       "#ifdef VISIBILITY\n"
@@ -146,7 +145,7 @@ TEST_CASE("what features know of a light's visibility is multiplied, 1 where nob
   CHECK(middle(stage.draw(triangle_scene())) == Rgba{0.125f, 0.125f, 0.125f, 1});
 }
 
-TEST_CASE("features are told of all lights, those that others add too", "[slots]") {
+TEST_CASE("features receive all lights, including those that others add", "[slots]") {
   struct Adding : Piece {
     int added = 1;
     void add_lights(const Scene&, std::vector<Light>& lights) const override {
@@ -175,7 +174,7 @@ TEST_CASE("features are told of all lights, those that others add too", "[slots]
   CHECK(told.names == std::vector<std::string>{"lamp", "image", "image"});
 }
 
-TEST_CASE("tangents are an attribute of their own, where a feature has some", "[slots]") {
+TEST_CASE("tangents are a separate attribute if a feature provides them", "[slots]") {
   struct Tangents : Piece {
     std::size_t count = 3;
     std::vector<glm::vec4> tangents(const Scene&, int) const override {
@@ -201,7 +200,7 @@ TEST_CASE("tangents are an attribute of their own, where a feature has some", "[
   CHECK(mentions(error_of([&] { draw(2); }), {"triangle", "2 tangents", "3 vertices"}));
 }
 
-TEST_CASE("programs are chosen anew only where answers have changed", "[slots]") {
+TEST_CASE("programs are chosen again only if a feature's answers have changed", "[slots]") {
   struct Asked : Piece {
     mutable int times = 0;
     Need need(const Scene&, const View&, const Node&) const override {
@@ -239,7 +238,7 @@ TEST_CASE("programs are chosen anew only where answers have changed", "[slots]")
   CHECK(piece.times == 5);
 }
 
-TEST_CASE("a target of 8 bits shows what is no number as magenta, one of floats keeps it", "[slots]") {
+TEST_CASE("an 8-bit target shows NaN as magenta, a float target keeps it", "[slots]") {
   Stage stage;
   stage.open({},
              piece_for(stage.shaders, Slot::shade, "shade",

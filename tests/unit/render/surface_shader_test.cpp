@@ -27,7 +27,7 @@ bool contains(const ShaderSource& source, std::string_view words) {
 
 }  // namespace
 
-TEST_CASE("the surface shader holds what is wanted and nothing else", "[surface_shader]") {
+TEST_CASE("the surface shader contains only the features in use", "[surface_shader]") {
   Fixture f;
   const struct {
     const char* name;
@@ -87,20 +87,20 @@ TEST_CASE("every variant compiles and links", "[surface_shader]") {
       }
 }
 
-TEST_CASE("an output that nobody offers is refused with what there is", "[surface_shader]") {
+TEST_CASE("an unknown output is refused with the known ones", "[surface_shader]") {
   Fixture f;
   const std::string words = error_of([&] { f.assemble({{&f.tint}, {}, "shadow"}); });
   CHECK(mentions(words, {"shadow", "colour", "depth", "normal", "position", "texcoord", "tinting"}));
   CHECK(mentions(error_of([&] { f.assemble({{}, {}, "tinting"}); }), {"tinting"}));  // not wanted: not there
 }
 
-TEST_CASE("two features that shade one surface are refused, and named", "[surface_shader]") {
+TEST_CASE("two features that shade the same surface are refused and named", "[surface_shader]") {
   Fixture f;
   const std::string words = error_of([&] { f.assemble({{&f.tint, &f.glow}, {}, "colour"}); });
   CHECK(mentions(words, {"tint", "00-fake/tint.glsl", "glow", "00-fake/glow.glsl", "modify_shaded"}));
 }
 
-TEST_CASE("of two features that offer an output the last one answers", "[surface_shader]") {
+TEST_CASE("of two features with the same output, the last is used", "[surface_shader]") {
   Fixture f;
   f.plain.shown = {{"tinting", "vec3(0.75)"}};
   CHECK(contains(f.assemble({{&f.tint, &f.plain}, {}, "tinting"}).fragment, "vec4(vec3(0.75), 1.0)"));
@@ -112,7 +112,7 @@ TEST_CASE("a missing include is named", "[surface_shader]") {
   CHECK(mentions(error_of([&] { f.assemble({{&f.tint}, {}, "colour"}); }), {"00-fake/gone.glsl"}));
 }
 
-TEST_CASE("keys differ by features, structure and output", "[surface_shader]") {
+TEST_CASE("keys depend on features, structure and output", "[surface_shader]") {
   Piece one, two;
   const SurfaceKey key{{&one}, {{"A", "1"}}, "colour"};
   const auto differ = [](const SurfaceKey& a, const SurfaceKey& b) { return a < b || b < a; };
@@ -124,7 +124,7 @@ TEST_CASE("keys differ by features, structure and output", "[surface_shader]") {
   CHECK(differ(key, {{&one}, {{"A", "1"}}, "depth"}));
 }
 
-TEST_CASE("the renderer's own outputs are the ones that it lists", "[surface_shader]") {
+TEST_CASE("the renderer lists its own outputs", "[surface_shader]") {
   Fixture f;
   const auto outputs = surface_outputs();
   CHECK(outputs.size() == 4);

@@ -18,7 +18,7 @@ int occurrences(const std::string& text, std::string_view words) {
 
 }  // namespace
 
-TEST_CASE("the page stands by itself") {
+TEST_CASE("the page is self-contained") {
   const std::string html = html_report(test::sample());
   CHECK(html.starts_with("<!DOCTYPE html>"));
   CHECK(test::mentions(html, {"default-src 'none'; img-src data:;", "script-src 'sha256-", "prefers-color-scheme: dark",
@@ -52,7 +52,7 @@ TEST_CASE("the page has a table row and a place for each case") {
   CHECK(occurrences(html, "<figure data-role=\"detail\"") == 2);
 }
 
-TEST_CASE("what failed alike is told once, and each case keeps its place") {
+TEST_CASE("equal failures are explained once, and each case keeps its place") {
   const SubmissionResult result = test::unbuilt_sample(41);
   const std::string html = html_report(result);
   CHECK(occurrences(html, "<details class=\"case\"") == 1);
@@ -64,7 +64,7 @@ TEST_CASE("what failed alike is told once, and each case keeps its place") {
     CHECK(occurrences(html, "id=\"" + case_anchor(result.steps[0], c) + "\"") == 1);
 }
 
-TEST_CASE("hostile texts stay text") {
+TEST_CASE("hostile text is escaped") {
   const std::string html = html_report(test::hostile_sample());
   CHECK(html.find("<script>alert") == std::string::npos);
   CHECK(html.find("<img src=x") == std::string::npos);

@@ -44,7 +44,7 @@ TEST_CASE("results.json has the members that other programs rely on") {
   CHECK(step["cases"][1]["worst"]["reference"].size() == 4);
 }
 
-TEST_CASE("results.json says what numbers cannot, and rounds sums") {
+TEST_CASE("results.json represents NaN and infinity, and rounds sums") {
   SubmissionResult result = test::sample();
   result.score = 0.1 + 0.2;
   result.steps[1].cases[1].figures = {{"a", std::nan("")}, {"b", -INFINITY}, {"c", 0.1}};
@@ -62,7 +62,7 @@ TEST_CASE("results.json is valid and plain whatever the texts hold") {
   for (char c : text) REQUIRE((c == '\n' || static_cast<unsigned char>(c) >= 0x20));
 }
 
-TEST_CASE("a file is written whole or not at all") {
+TEST_CASE("a file is written atomically") {
   const TemporaryFolder folder;
   write_results_json(folder.path() / "a/results.json", test::sample());
   CHECK(read_file(folder.path() / "a/results.json") == results_json(test::sample()));

@@ -29,7 +29,7 @@ bool fit_for_the_screen(const Image& image) {
 
 }  // namespace
 
-TEST_CASE("the pictures of a verdict are those that its evidence allows") {
+TEST_CASE("the pictures of a verdict follow from its evidence") {
   CaseResult failed = test::failed_picture();
   CHECK(roles(failed) == "reference yours difference flip mask signed detail detail mistake ");
   CHECK(roles(test::passed_picture()) == "reference yours ");
@@ -42,7 +42,7 @@ TEST_CASE("the pictures of a verdict are those that its evidence allows") {
   CHECK(roles(failed) == "");
 }
 
-TEST_CASE("every picture can be shown, whatever the pixels are") {
+TEST_CASE("every picture can be shown, with any pixels") {
   CaseResult failed = test::failed_picture(40);
   Evidence& evidence = *failed.evidence;
   evidence.yours.at(0, 0) = {NAN, INFINITY, -INFINITY, NAN};
@@ -91,7 +91,7 @@ TEST_CASE("large pictures are shrunk, small mistakes enlarged") {
   for (const ReportPicture& picture : report_pictures(failed)) CHECK(picture.pixels.width() <= report_side);
 }
 
-TEST_CASE("the difference is black where equal, and its scale is told") {
+TEST_CASE("the difference is black for equal pixels, and its scale is given") {
   Image a(2, 1, {0.5f, 0.5f, 0.5f, 1}), b = a;
   float largest = 0;
   CHECK(difference_picture(a, b, largest).at(0, 0).r < 0.05f);  // the heat colours begin at nearly black
@@ -102,7 +102,7 @@ TEST_CASE("the difference is black where equal, and its scale is told") {
   CHECK(difference.at(1, 0).r > 0.9f);
 }
 
-TEST_CASE("a preview is yours, the reference and the difference beside each other") {
+TEST_CASE("a preview has your picture, the reference and the difference side by side") {
   const CaseResult failed = test::failed_picture(32);
   const TemporaryFolder folder;
   write_preview(folder.path() / "preview.png", *failed.evidence);

@@ -43,7 +43,7 @@ class Variable {
 
 }  // namespace
 
-TEST_CASE("the table has a line a case, within the width") {
+TEST_CASE("the table has one line per case, within the width") {
   for (int width : {40, 60, 100, 200}) {
     const TerminalStyle style{.width = width};
     const std::vector<std::string> lines = lines_of(terminal_report(test::sample().steps[1], style));
@@ -73,7 +73,7 @@ TEST_CASE("a failure is explained in order, a pass is not") {
   CHECK(test::mentions(text, {"<-- wrong", "| about to draw", "4.45 / 11 points, 2 of 8 cases passed"}));
 }
 
-TEST_CASE("what failed alike is told once") {
+TEST_CASE("equal failures are explained once") {
   const std::string text = terminal_report(test::unbuilt_sample(41), {});
   CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x 41 cases  build failed",
                               "cases       case-0, case-1,", "case-40", "Fix the first compiler",
@@ -106,7 +106,7 @@ TEST_CASE("links lead to the place of a case in the HTML report") {
       test::mentions(text, {"\x1b]8;;file:///out/report.html#02-blinn-phong.highlight\x1b\\highlight\x1b]8;;\x1b\\"}));
 }
 
-TEST_CASE("hostile texts reach the terminal as printable ones") {
+TEST_CASE("hostile text is printed with escapes") {
   const std::string text = terminal_report(test::hostile_sample(), {.heat_maps = true});
   CHECK(printable(text, Layout::keep_lines) == text);
   // Nothing that is no line of ours may start a line: output is indented.

@@ -8,7 +8,7 @@
 using namespace atelier;
 using namespace atelier::judge;
 
-TEST_CASE("points are cut, so that nobody reads full marks beside a failure") {
+TEST_CASE("points are rounded down, so that a failure never shows full points") {
   struct Row {
     double points;
     const char* text;
@@ -20,7 +20,7 @@ TEST_CASE("points are cut, so that nobody reads full marks beside a failure") {
   CHECK(score_text(0, 0) == "0 / 0 points");
 }
 
-TEST_CASE("a verdict speaks in a fixed order, and only of what there is") {
+TEST_CASE("a verdict has a fixed order, without empty parts") {
   std::string labels;
   for (const Remark& remark : remarks(test::failed_picture())) labels += remark.label + ",";
   CHECK(labels == "expected,found,looks like,where,credit,try next,rerun,");

@@ -1,4 +1,4 @@
-// Building a student's files: what comes out, what is refused, and what is not done twice.
+// Building a student's files: results, refused input, and no repeated work.
 #include "judge/run/build.hpp"
 
 #include <dlfcn.h>
@@ -126,7 +126,7 @@ TEST_CASE("a student's files become a library, and only what changed is built ag
   }
 }
 
-TEST_CASE("a header that was precompiled anew is noticed") {
+TEST_CASE("a new precompiled header causes a rebuild") {
   Course course;
   const std::string prelude = (course.folder.path() / "prelude.hpp").string();
   std::vector<std::string> command = {course.flags.compiler};
@@ -148,7 +148,7 @@ TEST_CASE("a header that was precompiled anew is noticed") {
   CHECK(call_sum(course.library) == 8);
 }
 
-TEST_CASE("warnings are told again by a build that has nothing to do") {
+TEST_CASE("a build with nothing to do repeats the warnings") {
   Course course;
   course.write("product.cpp", "extern \"C\" int product(int a, int b) { int unused; return a * b; }\n");
   const Built first = course.build(), again = course.build();
@@ -158,7 +158,7 @@ TEST_CASE("warnings are told again by a build that has nothing to do") {
   CHECK(again.log == first.log);
 }
 
-TEST_CASE("what does not build leaves no library behind and says why") {
+TEST_CASE("a failed build leaves no library, and reports why") {
   struct Row {
     std::string name;
     std::function<void(Course&)> spoil;
@@ -226,7 +226,7 @@ TEST_CASE("what does not build leaves no library behind and says why") {
   }
 }
 
-TEST_CASE("a compiler that takes too long is ended") {
+TEST_CASE("a compiler that takes too long is killed") {
   Course course;
   // 2^40 instances are asked for: without an end for any compiler.
   course.write("sum.cpp",
@@ -252,7 +252,7 @@ TEST_CASE("a step without C++ needs no library") {
                 {"/dev/null/out"}));
 }
 
-TEST_CASE("only the listed files of a submission are taken") {
+TEST_CASE("only the listed files of a submission are used") {
   Course course;
   course.write("CMakeLists.txt", "message(FATAL_ERROR)\n");
   course.write("more.cpp", "");

@@ -1,4 +1,4 @@
-// Which includes are seen in a source text, and which are open to a step.
+// The includes that are found in a source text, and those that a step may use.
 #include "judge/run/includes.hpp"
 
 #include "catch.hpp"
@@ -18,7 +18,7 @@ std::string listed(std::string_view source) {
 
 }  // namespace
 
-TEST_CASE("includes are seen as a compiler sees them") {
+TEST_CASE("includes are found as by a compiler") {
   struct Row {
     const char *name, *source, *expected;
   };
@@ -65,7 +65,7 @@ TEST_CASE("includes are seen as a compiler sees them") {
   }
 }
 
-TEST_CASE("text that is no C++ at all is read to its end") {
+TEST_CASE("text that is not C++ is read to its end") {
   for (const std::string& source : {std::string(10, '\0') + "\n#include <cmath>", std::string("R\""), std::string("\\"),
                                     std::string("\\\n"), std::string("R\"("), std::string("'"),
                                     std::string("\xff\xfe#"), std::string(100'000, '/'), std::string(100'000, '\\')}) {
@@ -74,7 +74,7 @@ TEST_CASE("text that is no C++ at all is read to its end") {
   }
 }
 
-TEST_CASE("a step's files include what is open to them, and are told why nothing else is") {
+TEST_CASE("only allowed includes are accepted, others are refused with the reason") {
   const std::vector<std::string> headers = {"02-blinn-phong/blinn_phong.hpp", "01-transforms/transforms.hpp"};
   struct Row {
     const char* include;

@@ -73,7 +73,7 @@ TEST_CASE("mistakes and variants are read") {
   CHECK(variants[0].patch == others.folder.path() / "b.patch");
 }
 
-TEST_CASE("who only names mistakes needs no patches") {
+TEST_CASE("names of mistakes can be read without patches") {
   const Lists lists("[" + mistake(", \"patch\": \"a.patch\"", "") + "]");
   const auto mistakes = read_mistakes(lists.file, Patches::optional);
   REQUIRE(mistakes.size() == 1);
@@ -139,7 +139,7 @@ TEST_CASE("a patch makes the mistake out of the solution and leaves the solution
   CHECK(names.size() == 2);
 }
 
-TEST_CASE("patches that would test nothing are refused with patch's own words") {
+TEST_CASE("useless patches are refused with the message of patch") {
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
   };

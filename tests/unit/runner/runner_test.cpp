@@ -1,4 +1,4 @@
-// The runner against a program that does everything wrong that a program can do.
+// The runner with a program that misbehaves in every way.
 #include "judge/run/runner.hpp"
 
 #include <fcntl.h>
@@ -54,7 +54,7 @@ float place(const Answer& answer) {
 
 }  // namespace
 
-TEST_CASE("each misdeed fails its own case and no other") {
+TEST_CASE("each misbehaviour fails only its own case") {
   struct Row {
     std::string scene;
     Ended ended;
@@ -116,7 +116,7 @@ TEST_CASE("each misdeed fails its own case and no other") {
   }
 }
 
-TEST_CASE("a case that crashes in every process is asked once") {
+TEST_CASE("a case that crashes in every process is run once") {
   const auto answers = run_cases(settings(), make_cases({"segfaults", "segfaults", "honest", "segfaults"}));
   CHECK(to_string(answers[0].ended) == "crashed");
   CHECK(to_string(answers[1].ended) == "crashed");
@@ -124,7 +124,7 @@ TEST_CASE("a case that crashes in every process is asked once") {
   CHECK(to_string(answers[3].ended) == "crashed");
 }
 
-TEST_CASE("after three time-outs no case is asked any more") {
+TEST_CASE("after three time-outs no further case is run") {
   RunSettings s = settings();
   s.case_limit = 300ms;
   const std::vector<Case> cases = make_cases({"hangs", "hangs", "honest", "hangs", "honest", "hangs"});
@@ -162,7 +162,7 @@ TEST_CASE("time-outs are counted over all workers together") {
   }
 }
 
-TEST_CASE("a program that cannot begin fails every case with its own words") {
+TEST_CASE("a program that cannot start fails every case with its message") {
   struct Row {
     std::string start;
     Ended ended;
@@ -189,19 +189,19 @@ TEST_CASE("a program that cannot begin fails every case with its own words") {
   }
 }
 
-TEST_CASE("the limit of the start is none of a case") {
+TEST_CASE("the start limit is separate from the case limit") {
   RunSettings s = settings();
   s.start_limit = 1h, s.case_limit = 300ms;
   CHECK(to_string(run_cases(s, make_cases({"hangs"}))[0].ended) == "timeout");
 }
 
-TEST_CASE("a program that will not leave is not waited for long") {
+TEST_CASE("a program that does not exit is killed soon") {
   const auto answers = run_cases(settings(), make_cases({"honest", "hangs at exit"}));
   CHECK(to_string(answers[0].ended) == "normally");
   CHECK(to_string(answers[1].ended) == "normally");
 }
 
-TEST_CASE("a run that is interrupted ends its programs and waits for none") {
+TEST_CASE("an interrupted run kills its programs without waiting") {
   RunSettings s = settings();
   s.case_limit = s.start_limit = 1h;
   int asked = 0;
@@ -210,7 +210,7 @@ TEST_CASE("a run that is interrupted ends its programs and waits for none") {
   CHECK(asked == 10);
 }
 
-TEST_CASE("answers come in the order of the cases, whatever the workers and the order of asking") {
+TEST_CASE("answers are in the order of the cases, for any workers and run order") {
   const std::vector<Case> cases = make_cases({"honest", "probe", "honest", "segfaults", "honest", "prints", "nothing"});
   const auto plain = run_cases(settings(), cases);
   for (const int workers : {1, 2, 3, 64}) {
@@ -233,7 +233,7 @@ TEST_CASE("answers come in the order of the cases, whatever the workers and the 
   }
 }
 
-TEST_CASE("shares are dealt in small runs of one scene, and shuffled as the seed says") {
+TEST_CASE("shards are short runs of one scene, shuffled by the seed") {
   RunSettings s = settings();
   s.workers = 2;
   const auto places = [&](const std::vector<std::string>& scenes) {
@@ -262,7 +262,7 @@ TEST_CASE("shares are dealt in small runs of one scene, and shuffled as the seed
   CHECK(case_order(0, 1).empty());
 }
 
-TEST_CASE("what a program prints is kept, up to a limit") {
+TEST_CASE("a program's output is kept, up to a limit") {
   const auto alone = run_cases(settings(), make_cases({"prints"}));
   CHECK(alone[0].output == "out of case-0\nerr of case-0\n");
 
@@ -277,7 +277,7 @@ TEST_CASE("what a program prints is kept, up to a limit") {
   CHECK(run_cases(s, make_cases({"prints"}))[0].output == "out of case-0\nerr of");
 }
 
-TEST_CASE("the environment is ours and not the caller's") {
+TEST_CASE("the environment does not depend on the caller's") {
   ::setenv("LP_NATIVE_VECTOR_WIDTH", "512", 1);
   ::setenv("GALLIUM_DRIVER", "softpipe", 1);
   ::setenv("MESA_GL_VERSION_OVERRIDE", "2.1", 1);
@@ -319,7 +319,7 @@ TEST_CASE("a program inherits none of our descriptors") {
   CHECK(answers[0].pixels->at(0, 0).g == 1);
 }
 
-TEST_CASE("what a program has started ends with it") {
+TEST_CASE("a program's children end with it") {
   for (const char* scene : {"leaves a child", "leaves a child, exits", "leaves a child, hangs"}) {
     INFO(scene);
     const TemporaryFolder folder;
@@ -341,7 +341,7 @@ TEST_CASE("what a program has started ends with it") {
   }
 }
 
-TEST_CASE("an exception of the listener ends the run and every program") {
+TEST_CASE("an exception in the callback ends the run and every program") {
   RunSettings s = settings();
   s.workers = 2;
   const auto run = [&] {
@@ -350,7 +350,7 @@ TEST_CASE("an exception of the listener ends the run and every program") {
   CHECK(error_of(run) == "enough");
 }
 
-TEST_CASE("runs that make no sense are refused in words") {
+TEST_CASE("invalid runs are refused with a message") {
   struct Row {
     std::string name;
     std::function<void(RunSettings&)> change;

@@ -20,7 +20,7 @@ TEST_CASE("a box's corners are numbered by bits: x, y, z", "[scene]") {
   CHECK(moved[7] == glm::dvec3(18, 5, 3));
 }
 
-TEST_CASE("a box and a ball around points hold them all, and around none nothing", "[scene]") {
+TEST_CASE("a box and a sphere around points contain them all; around none they are empty", "[scene]") {
   const std::vector<glm::dvec3> points = {{0, 0, 0}, {2, 0, 0}, {1, 4, -6}};
   const Box3 box = box_around(points);
   CHECK(box.low == glm::dvec3(0, 0, -6));
@@ -33,7 +33,7 @@ TEST_CASE("a box and a ball around points hold them all, and around none nothing
   CHECK(ball_around({}).centre == glm::dvec3(0));
 }
 
-TEST_CASE("a mesh's box, moved, and a box around boxes", "[scene]") {
+TEST_CASE("a mesh's box, transformed, and a box around boxes", "[scene]") {
   const Mesh mesh{.vertices = {Vertex{.position = {3, 1, 2}}, Vertex{.position = {0, 5, 2}}}};
   const Box3 box = box_around(mesh),
              moved = box_around(mesh, glm::dmat4(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 7, 1));

@@ -37,7 +37,7 @@ TEST_CASE("every built-in scene can be drawn", "[scene]") {
   }
 }
 
-TEST_CASE("materials of built-in scenes give off no more light than they get", "[scene]") {
+TEST_CASE("materials of built-in scenes conserve energy", "[scene]") {
   for (const std::string& name : builtin_scene_names())
     for (const Material& material : make_builtin_scene(name).materials) {
       INFO(name << ": " << material.name);
@@ -69,7 +69,7 @@ TEST_CASE("the robot is deep, and lists children before their parents", "[scene]
     if (robot.nodes[i].name.ends_with("foot")) CHECK(std::abs(world[i][3].y - 0.05) < 0.08);
 }
 
-TEST_CASE("upright turns a flat picture towards the yaw with its top up", "[scene]") {
+TEST_CASE("upright rotates a flat picture to the yaw, with its top up", "[scene]") {
   for (const double yaw : {0.0, 0.7, 1.5707963267948966, 3.0, -2.2}) {
     INFO(yaw);
     const glm::dmat4 m = world_matrices_exact({upright({}, yaw)})[0];

@@ -33,7 +33,7 @@ glm::dvec3 axis_least_along(const glm::dvec3& forward) {
 
 }  // namespace
 
-TEST_CASE("the depths at which a box is seen", "[depth_range]") {
+TEST_CASE("the depths of a box in view", "[depth_range]") {
   const struct {
     const char* name;
     Box3 box;
@@ -120,7 +120,7 @@ TEST_CASE("no visible point of a box is nearer or farther than its depths, and s
   CHECK(seen_along > 10);
 }
 
-TEST_CASE("where up is no help, the picture is turned as the view matrix turns it", "[depth_range]") {
+TEST_CASE("for a parallel up vector, the picture is rotated as by the view matrix", "[depth_range]") {
   // At depth 4 the view is 8 m high and 24 m wide: what lies 6 m aside is seen to the right and not above.
   const struct {
     const char* name;
@@ -148,7 +148,7 @@ TEST_CASE("where up is no help, the picture is turned as the view matrix turns i
   }
 }
 
-TEST_CASE("near and far fit the scene and stay within the camera's own", "[depth_range]") {
+TEST_CASE("near and far fit the scene and stay within the camera's range", "[depth_range]") {
   const Box3 boxes[] = {box({-1, -1, -6}, {1, 1, -4}), box({-1, -1, -30}, {1, 1, -20}), Box3{}};
   const Camera fitted = fit_depth(straight(), 2, boxes);
   CHECK(fitted.near < 4);
@@ -173,7 +173,7 @@ TEST_CASE("near and far fit the scene and stay within the camera's own", "[depth
   CHECK(fit_depth(straight(), 2, around).far == Approx(50).epsilon(1e-4));
 }
 
-TEST_CASE("a node's box holds its mesh as it stands in the world", "[depth_range]") {
+TEST_CASE("a node's box contains its mesh in world space", "[depth_range]") {
   Scene scene;
   const int group = add_node(scene, {.translation = {1e6, 0, 0}});
   add_material(scene, {});
@@ -190,7 +190,7 @@ TEST_CASE("a node's box holds its mesh as it stands in the world", "[depth_range
   }
 }
 
-TEST_CASE("what floats draw beside its place is in its node's box, and between the planes", "[depth_range]") {
+TEST_CASE("points displaced by rounding are within their node's box and the planes", "[depth_range]") {
   // The two translations make 0.3 m; in floats, whose steps are 6 cm at a million metres, 0.3125 m.
   Scene scene;
   const int root = add_node(scene, {.translation = {0, 0, 1e6}});

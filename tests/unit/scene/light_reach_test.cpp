@@ -1,4 +1,4 @@
-// Lights that are left out: never one that could be seen, and of those that could not, as many as fit together.
+// Light culling: no visible light is culled, and as many invisible ones as their sum allows.
 #include "scene/light_reach.hpp"
 
 #include <random>
@@ -31,7 +31,7 @@ Light light_of(double share, double d = 10) {
 
 }  // namespace
 
-TEST_CASE("the most that arrives in a box is what arrives at its nearest point", "[light_reach]") {
+TEST_CASE("the maximum light in a box is that at its nearest point", "[light_reach]") {
   const struct {
     const char* name;
     Light light;
@@ -53,7 +53,7 @@ TEST_CASE("the most that arrives in a box is what arrives at its nearest point",
   CHECK(most_arriving(rows[0].light, Box3{}) == glm::dvec3(0));  // there is nothing to be lit
 }
 
-TEST_CASE("a spot gives nothing where its cone misses", "[light_reach]") {
+TEST_CASE("a spot light gives no light outside its cone", "[light_reach]") {
   // From 10 m away the sphere around the box, of radius sqrt 3, is seen under asin(sqrt 3 / 10) = 0.1741 radians.
   const auto spot = [](float turned_away, float outer) {
     return Light{.type = LightType::spot,
@@ -86,7 +86,7 @@ TEST_CASE("a spot gives nothing where its cone misses", "[light_reach]") {
   }
 }
 
-TEST_CASE("what a surface gives back counts the peak of its highlight", "[light_reach]") {
+TEST_CASE("the reflected light includes the peak of the highlight", "[light_reach]") {
   const Material dull{.diffuse = {0.5f, 0.25f, 0}},
       shiny{.diffuse = glm::vec3(0), .specular = {0, 0.5f, 1}, .exponent = 92};
   CHECK(most_given_back({dull}, plain) == glm::dvec3(0.5, 0.25, 0));
@@ -96,7 +96,7 @@ TEST_CASE("what a surface gives back counts the peak of its highlight", "[light_
   CHECK(most_given_back({}, plain) == glm::dvec3(0));
 }
 
-TEST_CASE("lights are left out as long as their sum cannot be seen", "[light_reach]") {
+TEST_CASE("lights are culled as long as their sum is invisible", "[light_reach]") {
   const struct {
     const char* name;
     std::vector<Light> lights;
@@ -123,7 +123,7 @@ TEST_CASE("lights are left out as long as their sum cannot be seen", "[light_rea
   CHECK(kept({light_of(0.9)}, glm::dvec3(0)).empty());
 }
 
-TEST_CASE("a light counts for where floats draw a surface", "[light_reach]") {
+TEST_CASE("a light is tested against the surface including rounding errors", "[light_reach]") {
   // The two translations make 0.3 m; in floats, whose steps are 6 cm at a million metres, 0.3125 m.
   Scene scene;
   scene.meshes.push_back({.vertices = {{.position = {0, 0, 0}}, {.position = {0, 1, 0}}, {.position = {0, 0, 1}}}});
@@ -140,7 +140,7 @@ TEST_CASE("a light counts for where floats draw a surface", "[light_reach]") {
   CHECK(box_of_drawn({}).empty());
 }
 
-TEST_CASE("no point of the box, no normal and no eye sees a light that is left out", "[light_reach]") {
+TEST_CASE("no point, normal or eye position in the box sees a culled light", "[light_reach]") {
   std::mt19937 random(4);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
   const auto direction = [&] {

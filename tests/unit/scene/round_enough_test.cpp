@@ -69,7 +69,7 @@ TEST_CASE("the number of pieces stays within what a wall may have", "[round_enou
   CHECK(segments_for({.radius = 1, .distance = 1, .fov_y = quarter, .height = 2, .pixels = sagitta * (1 - 1e-6)}) == 7);
 }
 
-TEST_CASE("measures that cannot be are named", "[round_enough]") {
+TEST_CASE("impossible dimensions are named", "[round_enough]") {
   const struct {
     RoundView view;
     const char* name;

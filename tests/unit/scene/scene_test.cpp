@@ -29,7 +29,7 @@ Scene sound_scene() {
 
 }  // namespace
 
-TEST_CASE("validate accepts what is sound, extremes included", "[scene]") {
+TEST_CASE("validate accepts valid scenes, including extremes", "[scene]") {
   struct Row {
     const char* name;
     std::function<void(Scene&)> change;
@@ -65,7 +65,7 @@ TEST_CASE("validate accepts what is sound, extremes included", "[scene]") {
   }
 }
 
-TEST_CASE("validate names the first thing that is wrong", "[scene]") {
+TEST_CASE("validate names the first error", "[scene]") {
   struct Row {
     const char* name;
     std::function<void(Scene&)> change;
@@ -132,7 +132,7 @@ TEST_CASE("world matrices compose translation, rotation and scale from the root 
   CHECK(parents_first(nodes) == std::vector<int>{2, 0, 1});
 }
 
-TEST_CASE("a chain of 100 000 nodes needs no stack, and a far world no float", "[scene]") {
+TEST_CASE("100 000 nested nodes need no recursion, and a far world keeps its precision", "[scene]") {
   std::vector<Node> nodes(100'000);
   for (int i = 0; i < int(nodes.size()); ++i) nodes[i] = {.parent = i + 1, .translation = {1, 0.001, 0}};
   nodes.back().parent = -1;
@@ -142,7 +142,7 @@ TEST_CASE("a chain of 100 000 nodes needs no stack, and a far world no float", "
   CHECK(world[0][3].y == Approx(100).epsilon(1e-10));  // 1e5 additions, each rounded to half an ulp
 }
 
-TEST_CASE("bounds hold what is drawn, and nothing else", "[scene]") {
+TEST_CASE("bounds contain exactly the drawn meshes", "[scene]") {
   CHECK(bounds(Scene{}).empty());
   Scene scene = sound_scene();
   add_mesh(scene, make_sphere({.radius = 100}));  // in no node

@@ -57,7 +57,7 @@ std::vector<Shape> shapes() {
 
 }  // namespace
 
-TEST_CASE("every shape is a sound mesh", "[scene]") {
+TEST_CASE("every shape is a valid mesh", "[scene]") {
   for (const Shape& row : shapes()) {
     INFO(row.name);
     Scene scene{.name = row.name, .meshes = {row.mesh}};
@@ -78,7 +78,7 @@ TEST_CASE("every shape is a sound mesh", "[scene]") {
   }
 }
 
-TEST_CASE("shapes refuse measures that make no surface, and say which", "[scene]") {
+TEST_CASE("shapes refuse invalid dimensions, and name them", "[scene]") {
   struct Bad {
     const char* name;
     std::function<Mesh()> make;
@@ -133,7 +133,7 @@ TEST_CASE("a cylinder wall lies on its circle and misses it by the sagitta", "[s
   }
 }
 
-TEST_CASE("round shapes wear their texture from +x eastwards, south to north", "[scene]") {
+TEST_CASE("round shapes map their texture from +x eastwards, south to north", "[scene]") {
   const std::pair<const char*, Mesh> table[] = {
       {"sphere", make_sphere({.radius = 2})},
       {"icosphere", make_icosphere({.radius = 2, .subdivisions = 3})},
@@ -201,7 +201,7 @@ TEST_CASE("the teapot shows its outside from everywhere", "[scene]") {
   CHECK(back < front / 50);
 }
 
-TEST_CASE("the teapot has Newell's measures", "[scene]") {
+TEST_CASE("the teapot has Newell's dimensions", "[scene]") {
   const Mesh teapot = make_teapot({.height = 3.15f});  // the data's own unit
   const Box3 box = box_around(teapot);
   CHECK(teapot.vertices.size() == 32 * 11 * 11);

@@ -72,7 +72,7 @@ TEST_CASE("textures give the same bits everywhere, within 0..1", "[scene]") {
   }
 }
 
-TEST_CASE("textures close across their seams", "[scene]") {
+TEST_CASE("textures are seamless", "[scene]") {
   const auto closes = [](const Image& image) {
     const Steps steps = largest_steps(image);
     return steps.across <= steps.inside;
@@ -93,7 +93,7 @@ TEST_CASE("seeds change the noise, and only the noise", "[scene]") {
   CHECK(make_marble({.size = 32, .seed = 5}) == make_marble({.size = 32, .seed = 5}));
 }
 
-TEST_CASE("the uv grid tells how it lies", "[scene]") {
+TEST_CASE("the uv grid shows its orientation", "[scene]") {
   const Image grid = make_uv_grid(256);
   const auto same = [](const Rgba& a, const Rgba& b) { return a == b; };
   CHECK(same(grid.at(128, 0), {1, 1, 1, 1}));  // row 0 is the top, v near 1
@@ -151,7 +151,7 @@ TEST_CASE("noise repeats, stays within 0..1 and is even", "[scene]") {
   CHECK(sum / 4096 == Approx(0.5).margin(0.02));  // four standard errors of a mean of 4096 even numbers
 }
 
-TEST_CASE("textures refuse measures out of range", "[scene]") {
+TEST_CASE("textures refuse sizes out of range", "[scene]") {
   struct Bad {
     std::function<void()> make;
     const char* part;

@@ -1,4 +1,4 @@
-// What glTF files can have wrong, and how they are refused.
+// Invalid glTF files, and how they are refused.
 #include <functional>
 
 #include "catch.hpp"
@@ -142,7 +142,7 @@ TEST_CASE("broken data in a sound document is refused, too", "[scene_import]") {
   }
 }
 
-TEST_CASE("files that are no glTF are refused by their bytes", "[scene_import]") {
+TEST_CASE("files that are not glTF are refused by their content", "[scene_import]") {
   const TemporaryFolder folder;
   const std::string glb = test::glb_bytes(test::triangle_document());
   std::string deep = R"({"asset": {"version": "2.0"}, "extras": )";
@@ -205,7 +205,7 @@ TEST_CASE("a chain of 100 000 nodes is walked without recursion", "[scene_import
   CHECK(at(scene, "corner", {0, 0, 0}).x == Approx(100).epsilon(1e-9));  // 1e5 additions in double
 }
 
-TEST_CASE("flipped bytes are answered with a scene or an Error, never otherwise", "[scene_import]") {
+TEST_CASE("flipped bytes give a scene or an Error, nothing else", "[scene_import]") {
   const TemporaryFolder folder;
   const std::string glb = test::glb_bytes(test::triangle_document());
   std::uint32_t random = 12345;

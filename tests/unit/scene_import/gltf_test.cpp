@@ -1,4 +1,4 @@
-// What glTF files bring in, and what is mended of what viewers forgive.
+// Importing glTF files, and fixing errors that viewers tolerate.
 #include <cmath>
 
 #include "catch.hpp"
@@ -13,7 +13,7 @@ using atelier::test::import_document;
 using atelier::test::mentions;
 using nlohmann::json;
 
-TEST_CASE("a triangle comes in from .gltf and .glb alike", "[scene_import]") {
+TEST_CASE("a triangle is imported from .gltf and .glb", "[scene_import]") {
   const TemporaryFolder folder;
   test::write_gltf(folder.path(), test::triangle_document());
   write_file(folder.path() / "triangle.glb", test::glb_bytes(test::triangle_document()));
@@ -138,7 +138,7 @@ TEST_CASE("materials become Blinn-Phong", "[scene_import]") {
   }
 }
 
-TEST_CASE("cameras and lights stand where their nodes put them", "[scene_import]") {
+TEST_CASE("cameras and lights have their nodes' transforms", "[scene_import]") {
   const json document = changed([](json& d) {
     d["scenes"][0]["nodes"] = {0, 1, 2, 3, 4};
     d["nodes"].push_back({{"camera", 0}, {"translation", {1, 2, 10}}});
@@ -179,9 +179,9 @@ TEST_CASE("cameras and lights stand where their nodes put them", "[scene_import]
   }
 }
 
-TEST_CASE("what viewers forgive is mended, and said", "[scene_import]") {
+TEST_CASE("errors that viewers tolerate are fixed, with a note", "[scene_import]") {
   std::vector<std::string> notes;
-  SECTION("normals that are no directions") {
+  SECTION("invalid normals") {
     std::string buffer = test::triangle_buffer();
     buffer.replace(36, 24, bytes_of<float>({0, 0, 0, NAN, 0, 0}));
     const Mesh mesh = import_document(test::triangle_document(), buffer, &notes).meshes.at(0);
@@ -195,7 +195,7 @@ TEST_CASE("what viewers forgive is mended, and said", "[scene_import]") {
     CHECK(mesh.vertices[0].normal == glm::vec3(0, 0, 1));
     CHECK(mentions(notes.at(0), {"accessors[1] (NORMAL)", "2 elements for 3 positions"}));
   }
-  SECTION("a picture that is not there, and one outside the folder") {
+  SECTION("a missing picture, and one outside the folder") {
     for (const char* uri : {"missing.png", "../secret.png", "/etc/passwd", "https://example.org/a.png"}) {
       const json document = changed([&](json& d) {
         d["images"] = {{{"uri", uri}}};

@@ -1,4 +1,4 @@
-// The importers over real models, good and broken: Debian's packages assimp-testmodels and glmark2-data.
+// The importers on real models, valid and broken: Debian's packages assimp-testmodels and glmark2-data.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -108,7 +108,7 @@ TEST_CASE("no model of assimp-testmodels crashes or hangs the importers", "[scen
   CHECK(met == expectations().size());
 }
 
-TEST_CASE("the bunny comes in whole, smooth and in view", "[scene_import]") {
+TEST_CASE("the bunny is imported completely, smooth and in view", "[scene_import]") {
   if (!fs::exists(bunny)) SKIP_TEST("the package glmark2-data is not installed");
   const Scene scene = import_scene(bunny);
   REQUIRE(scene.meshes.size() == 1);

@@ -32,7 +32,7 @@ double area(const Mesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("faces come in all the ways that OBJ writes them", "[scene_import]") {
+TEST_CASE("faces of every OBJ form are imported", "[scene_import]") {
   struct Row {
     const char* name;
     std::string text;
@@ -64,7 +64,7 @@ TEST_CASE("faces come in all the ways that OBJ writes them", "[scene_import]") {
   }
 }
 
-TEST_CASE("concave and odd polygons are filled, and only they", "[scene_import]") {
+TEST_CASE("concave and irregular polygons are filled exactly", "[scene_import]") {
   struct Row {
     const char* name;
     std::vector<glm::vec3> corners;
@@ -100,7 +100,7 @@ TEST_CASE("concave and odd polygons are filled, and only they", "[scene_import]"
   }
 }
 
-TEST_CASE("missing normals follow smoothing groups, or the bend where there are none", "[scene_import]") {
+TEST_CASE("missing normals follow smoothing groups, or else the angles between faces", "[scene_import]") {
   // A roof: two slopes that meet at a ridge along z, 90 degrees apart; and a flat one, 20 degrees apart.
   const auto roof = [](double slope, const std::string& smoothing) {
     const double h = std::tan(slope * 3.14159265358979 / 180);
@@ -155,7 +155,7 @@ TEST_CASE("materials and groups of OBJ", "[scene_import]") {
   CHECK(mentions(notes[1], {"'unknown'"}));
 }
 
-TEST_CASE("a bump picture counts as heights where it is grey, as normals otherwise", "[scene_import]") {
+TEST_CASE("a grey bump picture holds heights, a coloured one normals", "[scene_import]") {
   const TemporaryFolder folder;
   const WriteOptions data{.encoding = Encoding::data};
   write_image(folder.path() / "grey.png", Image(4, 4, {0.5f, 0.5f, 0.5f, 1}), data);
@@ -222,7 +222,7 @@ TEST_CASE("material libraries outside the folder are not read", "[scene_import]"
   }
 }
 
-TEST_CASE("OBJ with flipped bytes is answered with a scene or an Error", "[scene_import]") {
+TEST_CASE("OBJ with flipped bytes gives a scene or an Error", "[scene_import]") {
   const std::string sound =
       "mtllib model.mtl\n" + square + "vt 0 0\nvn 0 0 1\no a\ns 1\nusemtl m\nf 1/1/1 2/1/1 3/1/1 4/1/1\n";
   std::uint32_t random = 99;

@@ -1,13 +1,13 @@
-// Only the air that a scene requires.
+// Unused features cost nothing.
 #include "catch.hpp"
 #include "drawn.hpp"
 
 using namespace atelier::test;
 
-TEST_CASE("air costs no pass and no memory, and nothing at all where it is clear", "[required][@STEP@]") {
+TEST_CASE("fog costs no pass and no memory, and nothing at density 0", "[required][@STEP@]") {
   check_costs("@STEP@", {
-      {"air", picture("posts"), {{"passes", 1}, {"texture_sources", 0}, {"target_bytes", picture_bytes}}},
-      {"a picture of normals asks for no air", picture("posts", {}, "normal"), {{"passes", 1}, {"lights", 1}}},
+      {"fog", picture("posts"), {{"passes", 1}, {"texture_sources", 0}, {"target_bytes", picture_bytes}}},
+      {"a picture of normals needs no fog", picture("posts", {}, "normal"), {{"passes", 1}, {"lights", 1}}},
   });
   const auto all = drawn("@STEP@", {picture("posts", {{"@NAME@.half_distance", 0.0}}),
                                  picture("posts", {{"@NAME@.half_distance", 0.0}, {"@NAME@.pieces", 4}}),

@@ -98,7 +98,7 @@ TEST_CASE("a colour is edited by its codes, within its range, and only where it 
   }
 }
 
-TEST_CASE("a colour that is only looked at stays as it is", "[settings_editor]") {
+TEST_CASE("a colour that is not edited stays unchanged", "[settings_editor]") {
   Panel panel({.name = "sky", .fallback = Colour(0.2, 0.25, 1e-9), .low = 0, .high = 1});
   panel.drag_its_first_field(0);
   CHECK(panel.value() == SettingValue(Colour(0.2, 0.25, 1e-9)));

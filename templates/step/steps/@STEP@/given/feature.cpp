@@ -10,12 +10,12 @@ std::vector<SettingSpec> @NAME@_settings() {
        .fallback = 12.0,
        .low = 0,
        .high = 1e6,
-       .help = "metres after which half of the light is left; 0: the air is clear"},
+       .help = "metres after which half of the light is left; 0: no fog"},
       {.name = "@NAME@.pieces",
        .fallback = 0,
        .low = 0,
        .high = 4096,
-       .help = "equal pieces that the way is cut into; 0: exactly, by an exponential"},
+       .help = "number of equal pieces that approximate the exponential; 0: exact"},
   };
 }
 

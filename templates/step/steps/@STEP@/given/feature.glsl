@@ -1,4 +1,4 @@
-// The student's air over the light that leaves a surface. Given.
+// Applies the student's fog to the light from a surface. Given.
 #include "@STEP@/@NAME@.glsl"
 
 uniform vec3 u_@NAME@_air;

@@ -1,4 +1,4 @@
-// The air between the eye and what is seen, as a feature of the renderer. Given.
+// Fog as a feature of the renderer. Given.
 #pragma once
 
 #include "render/feature.hpp"
@@ -8,10 +8,10 @@ namespace atelier {
 /// "@NAME@.half_distance", "@NAME@.pieces".
 std::vector<SettingSpec> @NAME@_settings();
 
-/// The colour of the air, linear: what is seen where nothing is.
+/// The colour of the fog, linear; also the background.
 inline constexpr glm::vec3 @NAME@_air{0.5f, 0.62f, 0.75f};
 
-/// Changes what is seen as a colour; where the air is clear there is no code for it.
+/// Changes only the output "colour". At density 0 the shader has no code for it.
 class @TYPE@Feature : public Feature {
  public:
   void configure(const Settings& settings) override;

@@ -1,4 +1,4 @@
-// @STEP@: the program. Scenes lit by your earlier steps, seen through your air.
+// @STEP@: the program. Scenes lit by your earlier steps, with your fog.
 #include "01-transforms/given/functions.hpp"
 #include "02-blinn-phong/given/lit_surface.hpp"
 #include "@STEP@/given/feature.hpp"

@@ -1,4 +1,4 @@
-// Step @NUMBER@'s functions under names, on plain numbers: what probe cases call. Given.
+// Step @NUMBER@'s functions by name, on plain numbers, for probe cases. Given.
 #pragma once
 
 #include "app/step_program.hpp"

@@ -7,7 +7,7 @@ namespace atelier {
 
 namespace {
 
-/// Two rows of posts beside a road, from near to far: what the air does with distance is seen at a glance.
+/// Two rows of posts beside a road, from near to far, which show the effect of fog with distance.
 Scene posts() {
   Scene scene{.name = "posts"};
   scene.ambient = glm::vec3(0.1f);

@@ -13,7 +13,7 @@ void add_density_rows(Table& table) {
   for (const float bad : {0.0f, -1.0f, -infinite, not_a_number})
     group.refuses("a distance that is not above 0", [=] { of(bad); });
   group.equals("infinity", [=] { return of(infinite); }, {0});
-  group.same("less than a millionth of a metre", [=] { return of(denormal); }, [=] { return of(1e-6f); });
+  group.same("below a millionth of a metre", [=] { return of(denormal); }, [=] { return of(1e-6f); });
   for (const float half : {1e-6f, 1.0f, 1e6f})
     group.close("half of the light is left", {2 * rounding_unit, "relative", "a constant and a quotient"}, [=] {
       return relative_difference(of(half), {std::log(2.0) / double(half)});
@@ -29,13 +29,13 @@ void add_light_rows(Table& table, ShaderFunctions& shaders) {
   const auto of = [=, &shaders](float density, float way, float pieces) {
     return values(glm::vec3(shaders.evaluate(function, input_of(light, air, glm::vec3(density, way, pieces)))));
   };
-  group.equals("no way", [=] { return of(1, 0, 0); }, {1, 0.5, 0});
-  group.equals("no air, 1e30 m", [=] { return of(0, 1e30f, 0); }, {1, 0.5, 0});
-  group.equals("1e30 m of air", [=] { return of(1, 1e30f, 0); }, {0.25, 0, 1});
-  group.equals("1e30 m of air in one piece", [=] { return of(1, 1e30f, 1); }, {0.25, 0, 1});
-  group.finite("a density and a way whose product is no float", [=] { return of(1e30f, 1e30f, 4); });
+  group.equals("distance 0", [=] { return of(1, 0, 0); }, {1, 0.5, 0});
+  group.equals("density 0, 1e30 m", [=] { return of(0, 1e30f, 0); }, {1, 0.5, 0});
+  group.equals("1e30 m of fog", [=] { return of(1, 1e30f, 0); }, {0.25, 0, 1});
+  group.equals("1e30 m of fog in one piece", [=] { return of(1, 1e30f, 1); }, {0.25, 0, 1});
+  group.finite("a product of density and distance that overflows", [=] { return of(1e30f, 1e30f, 4); });
   for (const float way : {1e-6f, 0.1f, 1.0f, 10.0f})
-    group.close("the exponential", {4e-6, "absolute", "the driver's exponential, good to some ulp, of numbers up to 1"},
+    group.close("the exponential", {4e-6, "absolute", "the driver's exponential: some ulp of numbers up to 1"},
                 [=] {
                   const double through = std::exp(-double(way));
                   return difference(of(1, way, 0), {0.25 + 0.75 * through, 0.5 * through, 1 - through});
