@@ -34,7 +34,8 @@ float compare_depth(vec3 coordinate, int layer) {
 //
 // Vectors are of unit length, but a normal may also be zero; then nothing is moved, except by constant_bias. `axis`
 // points against the direction in which the light looks: texels of the map are perpendicular to it. `amount` is a
-// length in metres; a negative amount moves the other way. Handout, section 5.
+// length in metres; a negative amount moves the other way. Handout, section 5. Get sines from cross products and cosines
+// from dot products: acos in GLSL is wrong in the fourth digit.
 
 // The position, moved by `amount` metres towards the light.
 vec3 constant_bias(vec3 position, vec3 to_light, float amount) {
@@ -43,16 +44,17 @@ vec3 constant_bias(vec3 position, vec3 to_light, float amount) {
 }
 
 // The position, moved along to_light until it is far enough in front of its plane. How far: a step of `amount` metres
-// perpendicular to `axis`, in the steepest direction, ends at a certain distance behind the plane of the surface. The
-// moved point is at the same distance in front of the plane. The cosine of the angle between normal and to_light counts
-// as at least 0.01. Directional light (axis = to_light) at 60 degrees to the normal, amount 0.01 m: moved by 0.0173 m.
+// perpendicular to `axis` leaves the plane of the surface, by most in the steepest direction. The moved point is in
+// front of the plane by this largest distance. The cosine of the angle between normal and to_light counts as at least
+// 0.01, also where the normal points away from the light. Directional light (axis = to_light) at 60 degrees to the
+// normal, amount 0.01 m: moved by 0.0173 m.
 vec3 slope_bias(vec3 position, vec3 normal, vec3 to_light, vec3 axis, float amount) {
   // TODO(03-shadow-mapping): towards the light; farther, the more the surface is tilted
   return position;
 }
 
-// The position, moved along the normal to the same distance in front of its plane. It does not matter whether the
-// normal points towards `axis` or away from it. The same light, amount 0.01 m: moved by 0.0087 m.
+// The position, moved by the same distance along `normal` as it is: also where the normal points away from the light,
+// it is not turned round. The same light, amount 0.01 m: moved by 0.0087 m.
 vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount) {
   // TODO(03-shadow-mapping): away from the surface; farther, the more it is tilted in the map
   return position;
@@ -115,7 +117,7 @@ float blocker_depth(ShadowLight light, vec3 coordinate, vec2 slope, float search
 //   go; its width is at least 0. Spot light 0.6 m wide, near plane at 1 m, receiver at 1.5 m: a square of 0.2 m.
 // - The penumbra is that of the mean blocker. A receiver nearer than this blocker has a penumbra of width 0.
 // - Both squares are centred at the coordinate; points and depths are as in blocker_depth. A width in metres becomes a
-//   fraction of map_width: for the search of that at the near plane, for the penumbra of that at the receiver.
+//   fraction of the map's width: the search of map_width at the near plane, the penumbra of map_width at the receiver.
 // Handout, section 8. You may call: map_width, blocker_depth, penumbra_width, compare_depth, sample_point.
 float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
   // TODO(03-shadow-mapping): search for blockers, estimate the penumbra, filter over its width
@@ -131,10 +133,11 @@ float pcss(ShadowLight light, vec3 coordinate, vec2 slope, float receiver) {
 //   (none) and 4 (receiver plane, further) it is not moved. The amount is u_bias * FILTER_WIDTH texels, a texel as wide
 //   as it is at the depth of the point before it is moved.
 // - With BIAS other than 0, z of the shadow coordinate is lowered by u_depth_epsilon.
-// - With BIAS 4, and with PCSS for every BIAS, the slope is that of the receiver's plane, from the derivatives dFdx and
-//   dFdy of the shadow coordinate. z is then lowered once more, by u_bias times the largest change of this plane's
-//   depth within COMPARISON_HALF_WIDTH texels in u and in v. In all other cases the slope is (0, 0).
-// - The result is that of pcf, or that of pcss where PCSS is defined.
+// - With BIAS 4, and with PCSS beside every BIAS, the slope is that of the receiver's plane, from the derivatives dFdx
+//   and dFdy of the shadow coordinate. z is then lowered once more, by u_bias times the largest change of this plane's
+//   depth over a step of up to COMPARISON_HALF_WIDTH texels in u and as many in v: that to a corner of the square. In
+//   all other cases the slope is (0, 0).
+// - The result is that of pcf, or that of pcss where PCSS is defined, also where the normal points away from the light.
 // Handout, sections 4 to 8. You may call: all functions above.
 float shadow_factor(ShadowLight light, vec3 position, vec3 normal, vec3 to_light) {
   // TODO(03-shadow-mapping): bias, coordinate, slope, then pcf or pcss

@@ -47,8 +47,8 @@ struct ShadowMaps {
 };
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Core 1: the map and the pass that draws it. Both functions leave no texture bound. `gl.Xyz(...)` is OpenGL's
-// glXyz(...).
+// Core 1: the map and the pass that draws it. Both functions leave no texture bound; any framebuffer may stay bound.
+// `gl.Xyz(...)` is OpenGL's glXyz(...).
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Makes the texture: resolution x resolution texels, `layers` layers, `internal_format` (GL_DEPTH_COMPONENT16,
@@ -58,7 +58,7 @@ struct ShadowMaps {
 /// its depth attachment and no colour (draw and read buffer are GL_NONE).
 ShadowMaps make_shadow_maps(Gl& gl, int resolution, int layers, GLenum internal_format, bool compare);
 
-/// Sets all state for drawing into layer `layer`, whatever the state was before: framebuffer bound, with this layer as
+/// Sets this state for drawing into layer `layer`, whatever it was before: framebuffer bound, with this layer as
 /// its depth attachment; viewport: the whole map; depth test on, with GL_LESS and depth writes; depth clamping on
 /// (GL_DEPTH_CLAMP: casters in front of the near plane are kept, with the depth of the plane); front faces culled if
 /// cull_front_faces, otherwise no culling. Then clears the layer, and only it, to 1.
@@ -86,7 +86,8 @@ glm::mat4 light_view(const LightFrustum& frustum);
 /// does. You may call: step 01's perspective, orthographic.
 glm::mat4 light_projection(const LightFrustum& frustum);
 
-/// Takes -1..1 to 0..1 in x, y and z. It is applied before the division by w. Handout, section 2.
+/// Takes -1..1 to 0..1 in x, y and z. It is applied before the division by w. Handout, section 2. You may call: step
+/// 01's translation, scaling.
 glm::mat4 bias_matrix();
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -104,9 +105,9 @@ LightFrustum fit_directional(const glm::vec3& direction, const Sphere& sphere);
 
 /// Makes edges of shadows stand still while the box that is fitted changes a little: its texels keep their size and
 /// their places in the world. First the half-width is multiplied by 1 + 1/resolution (room for the shift below) and
-/// rounded up to a power 2^(k/4), k an integer. Then the eye is shifted perpendicular to the direction, to the nearest
-/// place whose x and y along the axes of light_view, measured from the world's origin, are integer multiples of a texel
-/// of the new width; halfway between two, the larger one is taken. A pyramid is returned unchanged. Half-width 1 m,
+/// rounded up to a power 2^(k/4), k an integer. Then the eye is shifted perpendicular to the direction: its distances
+/// from the world's origin along the right and the up axis of light_view are rounded to integer multiples of a texel of
+/// the new width, halves towards plus infinity. A pyramid is returned unchanged. Half-width 1 m,
 /// 1024 texels: the new one is 1.1892 m. Handout, section 9. You may call: step 01's look_at.
 LightFrustum snap_to_texels(const LightFrustum& frustum, int resolution);
 
