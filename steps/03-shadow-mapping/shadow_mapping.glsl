@@ -53,8 +53,9 @@ vec3 slope_bias(vec3 position, vec3 normal, vec3 to_light, vec3 axis, float amou
   return position;
 }
 
-// The position, moved by the same distance along `normal` as it is: also where the normal points away from the light,
-// it is not turned round. The same light, amount 0.01 m: moved by 0.0087 m.
+// The position, moved along `normal` by the largest distance by which a step of `amount` metres perpendicular to `axis`
+// leaves the plane of the surface. `normal` is not turned round where it points away from the light. 60 degrees between
+// normal and axis, amount 0.01 m: moved by 0.0087 m.
 vec3 normal_offset(vec3 position, vec3 normal, vec3 axis, float amount) {
   // TODO(03-shadow-mapping): away from the surface; farther, the more it is tilted in the map
   return position;
