@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <array>
 
+#include "cli/code_text.hpp"
+
 namespace atelier {
 namespace {
 
-bool is_letter(char c) {
-  return c == '_' || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
@@ -37,7 +36,7 @@ std::size_t end_of_passed_over(std::string_view text, std::size_t at, bool first
 std::size_t end_of_number(std::string_view text, std::size_t at) {
   std::size_t end = at;
   while (end < text.size() &&
-         (is_digit(text[end]) || is_letter(text[end]) || text[end] == '.' ||
+         (in_identifier(text[end]) || text[end] == '.' ||
           ((text[end] == '+' || text[end] == '-') && (text[end - 1] == 'e' || text[end - 1] == 'E'))))
     ++end;
   return end;
@@ -74,9 +73,9 @@ std::vector<Token> tokens_of(std::string_view text) {
     first_of_line = false;
     Token token{.begin = at};
     std::size_t end = at + 1;
-    if (is_letter(c)) {
+    if (in_identifier(c) && !is_digit(c)) {
       token.kind = Token::Kind::identifier;
-      while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+      while (end < text.size() && in_identifier(text[end])) ++end;
     } else if (is_digit(c) || (c == '.' && at + 1 < text.size() && is_digit(text[at + 1]))) {
       token.kind = Token::Kind::number;
       end = end_of_number(text, at);
@@ -185,6 +184,19 @@ std::vector<TokenRange> arguments_of(const std::vector<Token>& tokens, std::size
   }
   arguments.push_back({begin, *close});
   return arguments;
+}
+
+std::optional<std::size_t> end_of_statement(const std::vector<Token>& tokens, std::size_t begin) {
+  for (std::size_t end = begin; end < tokens.size(); ++end) {
+    if (opens(tokens[end])) {
+      const auto close = closing_of(tokens, end);
+      if (!close) return std::nullopt;
+      end = *close;
+    }
+    if (tokens[end].is(";")) return end;
+    if (tokens[end].is("}")) return std::nullopt;
+  }
+  return std::nullopt;
 }
 
 std::string_view text_of(std::string_view text, const std::vector<Token>& tokens, const TokenRange& range) {

@@ -41,6 +41,9 @@ bool is_unary(const std::vector<Token>& tokens, std::size_t at);
 /// The arguments of the call whose opening bracket is at `open`.
 std::vector<TokenRange> arguments_of(const std::vector<Token>& tokens, std::size_t open);
 
+/// The ';' of the statement that begins at `begin`; nothing where a '}' comes first.
+std::optional<std::size_t> end_of_statement(const std::vector<Token>& tokens, std::size_t begin);
+
 /// The text from the first to the last token of a range, which is not empty.
 std::string_view text_of(std::string_view text, const std::vector<Token>& tokens, const TokenRange& range);
 

@@ -2,23 +2,9 @@
 
 #include <algorithm>
 
+#include "cli/author/marked_text.hpp"
+
 namespace atelier {
-namespace {
-
-/// Where a student writes: between the marks, without the skeleton's lines.
-std::vector<std::pair<std::size_t, std::size_t>> student_parts(std::string_view marked) {
-  std::vector<std::pair<std::size_t, std::size_t>> parts;
-  for (std::size_t at = marked.find("// >>> student"); at != marked.npos; at = marked.find("// >>> student", at)) {
-    const std::size_t begin = marked.find('\n', at), skeleton = marked.find("// --- skeleton", begin),
-                      close = marked.find("// <<< student", begin);
-    parts.emplace_back(begin, std::min(skeleton, close));
-    at = close;
-  }
-  return parts;
-}
-
-}  // namespace
-
 bool is_matrix(std::string_view name) {
   for (const char* part :
        {"matri", "projection", "view", "model", "rotation", "scaling", "translation", "world_to", "_to_"})
@@ -62,19 +48,6 @@ bool EditFinder::in_round_brackets(std::size_t i) const {
     if (tokens_[k].is(")") || tokens_[k].is("{") || tokens_[k].is("}")) return false;
   }
   return false;
-}
-
-std::optional<std::size_t> EditFinder::end_of_statement(std::size_t i) const {
-  for (std::size_t end = i; end < tokens_.size(); ++end) {
-    if (tokens_[end].is("(") || tokens_[end].is("[") || tokens_[end].is("{")) {
-      const auto close = closing_of(tokens_, end);
-      if (!close) return std::nullopt;
-      end = *close;
-    }
-    if (tokens_[end].is(";")) return end;
-    if (tokens_[end].is("}")) return std::nullopt;
-  }
-  return std::nullopt;
 }
 
 }  // namespace atelier

@@ -39,8 +39,6 @@ class EditFinder {
 
   /// A statement that is a call or an assignment, or a declaration.
   bool begins_statement(std::size_t token) const;
-  /// The ';' of the statement that begins at `token`.
-  std::optional<std::size_t> end_of_statement(std::size_t token) const;
 
   void replace(std::size_t token, std::string_view by, const char* kind);
   void replace(const TokenRange& range, std::string by, const char* kind);

@@ -44,15 +44,10 @@ std::string with_moved_last_bits(std::string_view code, std::uint64_t seed) {
   const std::vector<Token> tokens = tokens_of(code);
   for (std::size_t i = 0; i < tokens.size(); ++i) {
     if (!tokens[i].is("return") || i + 1 >= tokens.size() || tokens[i + 1].is(";") || tokens[i + 1].is("{")) continue;
-    std::size_t end = i + 1;
-    int depth = 0;
-    for (; end < tokens.size() && !(depth == 0 && tokens[end].is(";")); ++end) {
-      if (tokens[end].is("(") || tokens[end].is("{") || tokens[end].is("[")) ++depth;
-      if (tokens[end].is(")") || tokens[end].is("}") || tokens[end].is("]")) --depth;
-    }
-    if (end >= tokens.size()) break;
+    const auto end = end_of_statement(tokens, i + 1);
+    if (!end) continue;
     edits.push_back({tokens[i + 1].begin, tokens[i + 1].begin, "moved_last_bits::moved(", "moved"});
-    edits.push_back({tokens[end].begin, tokens[end].begin, ")", "moved"});
+    edits.push_back({tokens[*end].begin, tokens[*end].begin, ")", "moved"});
   }
   std::string head = moving_functions;
   head.replace(head.find("SEED"), 4, std::to_string(seed % 4294967291u));

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
+#include "base/trimmed.hpp"
 
 namespace atelier {
 namespace {
@@ -11,12 +14,6 @@ constexpr std::string_view open_mark = "// >>> student:";
 constexpr std::string_view close_mark = "// <<< student";
 constexpr std::string_view skeleton_mark = "// --- skeleton";
 constexpr std::string_view skeleton_line = "// |";
-
-std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t\r");
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
 
 /// Whether a line looks like a mark: if it is not an exact mark, it is an author's typing error, which would leave a
 /// part of the solution in the skeleton.
@@ -139,6 +136,17 @@ std::vector<std::string> solution_lines(std::string_view marked, const std::stri
   feed(cutter, marked);
   cutter.finish();
   return cutter.left_out();
+}
+
+std::vector<std::pair<std::size_t, std::size_t>> student_parts(std::string_view marked) {
+  std::vector<std::pair<std::size_t, std::size_t>> parts;
+  for (std::size_t at = marked.find(open_mark); at != marked.npos; at = marked.find(open_mark, at)) {
+    const std::size_t begin = marked.find('\n', at), skeleton = marked.find(skeleton_mark, begin),
+                      close = marked.find(close_mark, begin);
+    parts.emplace_back(begin, std::min(skeleton, close));
+    at = close;
+  }
+  return parts;
 }
 
 int count_tasks(std::string_view marked, const std::string& file) {

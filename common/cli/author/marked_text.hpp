@@ -21,6 +21,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace atelier {
@@ -35,6 +36,10 @@ std::string finished_text(std::string_view marked, const std::string& file);
 
 /// The lines that the skeleton leaves out, trimmed: the secret part of the solution. Throws as cut_skeleton does.
 std::vector<std::string> solution_lines(std::string_view marked, const std::string& file);
+
+/// Where a student writes, as [begin, end) of the text: each block without the skeleton's lines. The text must have
+/// passed one of the functions above.
+std::vector<std::pair<std::size_t, std::size_t>> student_parts(std::string_view marked);
 
 /// The number of blocks that a student must write: 0 for a text without marks. Throws as cut_skeleton does.
 int count_tasks(std::string_view marked, const std::string& file);

@@ -1,12 +1,14 @@
 #include "cli/author/mutant_list.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "base/file.hpp"
 #include "base/sha256.hpp"
+#include "base/shuffle.hpp"
 #include "base/strict_json.hpp"
+#include "base/trimmed.hpp"
 #include "cli/author/mutations.hpp"
+#include "cli/code_text.hpp"
 #include "cli/student/function_text.hpp"
 
 namespace atelier {
@@ -14,16 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string trimmed(const std::string& line) {
-  const std::size_t begin = line.find_first_not_of(" \t"), end = line.find_last_not_of(" \t");
-  return begin == line.npos ? "" : line.substr(begin, end - begin + 1);
-}
-
-/// The whole lines that [begin, end) lies in.
+/// The whole lines that [begin, end) lies in, without the blanks around them.
 std::string lines_around(std::string_view text, std::size_t begin, std::size_t end) {
-  const std::size_t before = begin == 0 ? text.npos : text.rfind('\n', begin - 1);
-  const std::size_t first = before == text.npos ? 0 : before + 1, last = std::min(text.find('\n', end), text.size());
-  return std::string(text.substr(first, last - first));
+  const std::size_t first = begin_of_line(text, begin), last = std::min(text.find('\n', end), text.size());
+  return std::string(trimmed(text.substr(first, last - first)));
 }
 
 /// The lines of each function, from its first to its last.
@@ -31,7 +27,7 @@ struct Span {
   std::string function;
   int first = 0, last = 0;
 };
-std::vector<Span> spans_of(const std::string& text, const std::vector<std::string>& functions) {
+std::vector<Span> spans_of(const std::string& text, const std::set<std::string>& functions) {
   std::vector<Span> spans;
   for (const std::string& function : functions)
     if (const auto found = find_function(text, function))
@@ -43,7 +39,7 @@ std::vector<Span> spans_of(const std::string& text, const std::vector<std::strin
 }  // namespace
 
 std::vector<Mutant> mutants_of(const ProjectFolders& folders, const CourseStep& step,
-                               const std::vector<std::string>& functions, std::uint64_t seed) {
+                               const std::set<std::string>& functions, std::uint64_t seed) {
   std::vector<Mutant> mutants;
   for (const std::string& file : step.files) {
     if (file.ends_with(".txt")) continue;
@@ -52,9 +48,9 @@ std::vector<Mutant> mutants_of(const ProjectFolders& folders, const CourseStep& 
     std::map<std::string, int> seen;
     for (const Edit& edit : mutations_of(text)) {
       Mutant mutant{.file = file, .kind = edit.kind, .text = edited(text, {edit})};
-      mutant.line = int(std::count(text.begin(), text.begin() + std::ptrdiff_t(edit.begin), '\n')) + 1;
-      mutant.before = trimmed(lines_around(text, edit.begin, edit.end));
-      mutant.after = trimmed(lines_around(mutant.text, edit.begin, edit.begin + edit.text.size()));
+      mutant.line = line_number(text, edit.begin);
+      mutant.before = lines_around(text, edit.begin, edit.end);
+      mutant.after = lines_around(mutant.text, edit.begin, edit.begin + edit.text.size());
       for (const Span& span : spans)
         if (mutant.line >= span.first && mutant.line <= span.last) mutant.function = span.function;
       const std::string what = mutant.function + '\n' + mutant.before + '\n' + mutant.after;
@@ -62,9 +58,9 @@ std::vector<Mutant> mutants_of(const ProjectFolders& folders, const CourseStep& 
       mutants.push_back(std::move(mutant));
     }
   }
-  std::mt19937_64 random(seed);
-  for (std::size_t i = mutants.size(); i > 1; --i) std::swap(mutants[i - 1], mutants[random() % i]);
-  return mutants;
+  std::vector<Mutant> shuffled;
+  for (const std::size_t i : shuffled_order(mutants.size(), seed)) shuffled.push_back(std::move(mutants[i]));
+  return shuffled;
 }
 
 std::map<std::string, std::string> read_equivalents(const fs::path& file) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,7 @@ struct Mutant {
 
 /// All mutants of a step's solution, in an order drawn from `seed`. `functions` are those that its cases name.
 std::vector<Mutant> mutants_of(const ProjectFolders& folders, const CourseStep& step,
-                               const std::vector<std::string>& functions, std::uint64_t seed);
+                               const std::set<std::string>& functions, std::uint64_t seed);
 
 /// Why mutants change nothing that a contract promises, by their ids: tests/mutants/NN-name/equivalent.json, a list of
 /// {"id", "line", "reason"}. None where there is no such file. Throws Error naming the file for anything else.

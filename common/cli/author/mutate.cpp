@@ -49,12 +49,6 @@ struct StepTrials {
   }
 };
 
-Names functions_of(const std::vector<JudgedCase>& cases) {
-  std::set<std::string> names;
-  for (const JudgedCase& c : cases) names.insert(c.functions.begin(), c.functions.end());
-  return {names.begin(), names.end()};
-}
-
 /// The cases in three parts, cheapest first: probes that name the function, its pictures, all others.
 std::vector<Names> in_order(const std::vector<JudgedCase>& cases, const std::string& function) {
   std::vector<Names> parts(3);
@@ -83,7 +77,7 @@ class Field {
   /// Mutants until `count` of them have been built.
   StepTrials mutants(std::uint64_t seed, int count) const {
     const auto known = read_equivalents(folders_.equivalents_file(step_.name));
-    std::vector<Mutant> mutants = mutants_of(folders_, step_, functions_of(all_.cases()), seed);
+    std::vector<Mutant> mutants = mutants_of(folders_, step_, judge::functions_of(all_.cases()), seed);
     StepTrials tried{step_.name, {}};
     for (std::size_t next = 0; next < mutants.size();) {
       const int missing = count - int(tried.trials.size()) + tried.count(Fate::not_built);

@@ -195,7 +195,8 @@ class MutationFinder : EditFinder {
       if (close) replace(TokenRange{i + 2, *close}, "false", "guard");
     }
     if (begins_statement(i))
-      if (const auto end = end_of_statement(i); end && !declares(i)) replace(TokenRange{i, *end}, "", "statement");
+      if (const auto end = end_of_statement(tokens(), i); end && !declares(i))
+        replace(TokenRange{i, *end}, "", "statement");
   }
 
   bool declares(std::size_t i) const {

@@ -65,7 +65,7 @@ class RewritingFinder : EditFinder {
       if (close) replace(TokenRange{i, *close + 1}, "((" + v + ") / length(" + v + "))", "normalize");
     }
     if ((at(i, "+=") || at(i, "*=")) && i > 0 && begins_statement(i - 1)) {
-      if (const auto end = end_of_statement(i - 1)) {
+      if (const auto end = end_of_statement(tokens(), i - 1)) {
         const std::string name(tokens()[i - 1].text);
         replace(TokenRange{i - 1, *end},
                 name + " = " + name + " " + std::string(1, tokens()[i].text[0]) + " (" + text({i + 1, *end}) + ")",
@@ -78,7 +78,7 @@ class RewritingFinder : EditFinder {
         replace(TokenRange{i + 2, *close}, "(" + text({i + 2, *close}) + ") == true", "guard");
     }
     if (!glsl_ && at(i, "return") && i > 0 && (at(i - 1, ";") || at(i - 1, "}")) && !at(i + 1, "{") && !at(i + 1, ";"))
-      if (const auto end = end_of_statement(i))
+      if (const auto end = end_of_statement(tokens(), i))
         replace(TokenRange{i, *end}, "auto the_result = " + text({i + 1, *end}) + "; return the_result", "temporary");
   }
 

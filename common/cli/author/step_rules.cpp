@@ -82,10 +82,7 @@ Problems problems_of_tests(const ProjectFolders& folders, const CourseStep& step
                     step.name));
   if (!fs::exists(folders.case_file(step.name))) return problems;
   const std::string extremes = sources_in(tests / "stability" / step.name);
-  std::set<std::string> functions;
-  for (const JudgedCase& c : judge::read_case_file(folders.case_file(step.name)).cases)
-    functions.insert(c.functions.begin(), c.functions.end());
-  for (const std::string& function : functions)
+  for (const std::string& function : judge::functions_of(judge::read_case_file(folders.case_file(step.name)).cases))
     if (!std::regex_search(extremes, std::regex("\\b" + function + "\\b")))
       problems.push_back(
           fmt::format("tests/stability/{}/ has nothing about {}: add a group of rows (and a table.cpp where "
@@ -111,7 +108,7 @@ Problems problems_of_truth(const ProjectFolders& folders, const CourseStep& step
   std::erase_if(cases,
                 [&](const JudgedCase& c) { return std::find(names.begin(), names.end(), c.ask.name) == names.end(); });
   Problems problems;
-  if (cases.empty() || !has_truth(step)) return problems;
+  if (cases.empty()) return problems;
   const Workshop workshop(folders, step);
   const auto truth = truths(workshop, workshop.solution(), with_edges(asks_of(cases)));
   const judge::StepReferences references(step.name, {}, judge::references_folder(folders.case_file(step.name)), {});

@@ -186,8 +186,7 @@ class Packer {
   void pack_hints(const CourseStep& step, const VisibleCases& visible) {
     const fs::path file = folders_.hints_file(step.name);
     if (!fs::exists(file)) return;
-    std::set<std::string> functions;
-    for (const judge::JudgedCase& c : visible.cases) functions.insert(c.functions.begin(), c.functions.end());
+    const std::set<std::string> functions = judge::functions_of(visible.cases);
     OrderedJson hints = OrderedJson::parse(read_file(file));
     OrderedJson kept = OrderedJson::object();
     for (const auto& [function, texts] : hints.at("functions").items())

@@ -5,6 +5,8 @@
 #include <sstream>
 #include <vector>
 
+#include "cli/code_text.hpp"
+
 namespace atelier {
 namespace {
 
@@ -41,10 +43,6 @@ std::string code_only(std::string_view text) {
   return blanked(text, true);
 }
 
-bool in_identifier(char c) {
-  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 /// The position after the bracket that closes the one at `open`.
 std::size_t behind_bracket(std::string_view code, std::size_t open, char opens, char closes) {
   int depth = 0;
@@ -75,11 +73,6 @@ std::size_t end_of_definition(std::string_view code, std::size_t at, std::size_t
   return body < code.size() && code[body] == '{' ? behind_bracket(code, body, '{', '}') : nowhere;
 }
 
-std::size_t begin_of_line(std::string_view text, std::size_t at) {
-  const std::size_t before = at == 0 ? nowhere : text.rfind('\n', at - 1);
-  return before == nowhere ? 0 : before + 1;
-}
-
 /// The beginning of the comment lines directly above the line that begins at `line`; `line` itself if there are none.
 std::size_t begin_of_comment(std::string_view text, std::size_t line) {
   while (line > 0) {
@@ -89,10 +82,6 @@ std::size_t begin_of_comment(std::string_view text, std::size_t line) {
     line = above;
   }
   return line;
-}
-
-int line_number(std::string_view text, std::size_t at) {
-  return int(std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n')) + 1;
 }
 
 /// The positions at which `name` is a whole word of the code.

@@ -19,12 +19,6 @@ using judge::CaseFile;
 using judge::JudgedCase;
 using strict_json::Json;
 
-std::set<std::string> functions_of(const CaseFile& cases) {
-  std::set<std::string> functions;
-  for (const JudgedCase& c : cases.cases) functions.insert(c.functions.begin(), c.functions.end());
-  return functions;
-}
-
 std::array<std::string, 2> two_levels(const Json& value, const std::string& where) {
   if (!value.is_array() || value.size() != 2) strict_json::refuse(value, where, "a list of two texts: levels 2 and 3");
   return {strict_json::text(value[0], where + ": level 2"), strict_json::text(value[1], where + ": level 3")};
@@ -102,7 +96,7 @@ FunctionHints read_hints(const fs::path& file, const CaseFile& cases) {
   strict_json::integer(strict_json::required(document, "schema", where), where + ": schema", 1, 1);
   strict_json::one_of(strict_json::required(document, "step", where), where + ": step", {cases.step});
   const Json& functions = strict_json::required(document, "functions", where);
-  const std::set<std::string> known = functions_of(cases);
+  const std::set<std::string> known = judge::functions_of(cases.cases);
   strict_json::refuse_unknown(functions, {known.begin(), known.end()}, where + ": functions");
 
   FunctionHints hints;

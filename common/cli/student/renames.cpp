@@ -7,13 +7,10 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "cli/code_text.hpp"
 
 namespace atelier {
 namespace {
-
-bool in_identifier(char c) {
-  return c == '_' || (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
 
 /// The end of the first token of `text`, which is not empty: an identifier, a quoted string on one line, or one
 /// character.

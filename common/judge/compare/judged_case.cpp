@@ -188,6 +188,12 @@ std::string read_step(const Json& value, const std::string& where) {
 
 }  // namespace
 
+std::set<std::string> functions_of(const std::vector<JudgedCase>& cases) {
+  std::set<std::string> functions;
+  for (const JudgedCase& c : cases) functions.insert(c.functions.begin(), c.functions.end());
+  return functions;
+}
+
 fs::path references_folder(const fs::path& case_file) {
   return case_file.parent_path() / "references";
 }

@@ -53,6 +53,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -121,6 +122,9 @@ struct CaseFile {
   std::string title;
   std::vector<JudgedCase> cases;
 };
+
+/// The students' functions that these cases name.
+std::set<std::string> functions_of(const std::vector<JudgedCase>& cases);
 
 /// The folder references/ beside a case file.
 std::filesystem::path references_folder(const std::filesystem::path& case_file);

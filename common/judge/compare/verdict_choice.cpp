@@ -8,14 +8,7 @@ namespace atelier::judge {
 CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
                         KeepEvidence keep) {
   const std::vector<Image>& truth = references.of(c).pictures;
-  if (!answer.pixels) {
-    set_missing(result, answer);
-    return result;
-  }
-  if (const auto stopped = find_gate_failure(*answer.pixels, truth, c)) {
-    report_gate_failure(result, *stopped, c, *answer.pixels, references, keep);
-    return result;
-  }
+  if (!is_comparable(result, c, answer, references, keep)) return result;
   for (const auto& [name, most] : c.choice->at_most)
     if (!answer.counts.contains(name)) {
       result.status = Status::missing;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "judge/compare/gate.hpp"
 #include "judge/explain/naming.hpp"
 #include "judge/explain/sentences.hpp"
 
@@ -98,6 +99,9 @@ void keep_evidence(CaseResult& result, Match& match, const JudgedCase& c) {
   result.evidence = std::move(evidence);
 }
 
+namespace {
+
+/// Completes the result of a picture that failed at the gate. Names the recognised mistake of a single-colour picture.
 void report_gate_failure(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
                          const StepReferences& references, KeepEvidence keep) {
   result.reason = stopped.sentence;
@@ -124,19 +128,24 @@ void report_gate_failure(CaseResult& result, const GateFailure& stopped, const J
   result.evidence->mistake = std::move(mistake_picture);
 }
 
-CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
-                         KeepEvidence keep) {
-  const std::vector<Image>& right = references.of(c).pictures;
+}  // namespace
+
+bool is_comparable(CaseResult& result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
+                   KeepEvidence keep) {
   if (!answer.pixels) {
     set_missing(result, answer);
-    return result;
+    return false;
   }
+  const auto stopped = find_gate_failure(*answer.pixels, references.of(c).pictures, c);
+  if (stopped) report_gate_failure(result, *stopped, c, *answer.pixels, references, keep);
+  return !stopped;
+}
+
+CaseResult judge_picture(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
+                         KeepEvidence keep) {
+  if (!is_comparable(result, c, answer, references, keep)) return result;
   const Image& yours = *answer.pixels;
-  if (const auto stopped = find_gate_failure(yours, right, c)) {
-    report_gate_failure(result, *stopped, c, yours, references, keep);
-    return result;
-  }
-  Match match = best_match(c, yours, right);
+  Match match = best_match(c, yours, references.of(c).pictures);
   keep_figures(result, match.measured);
   std::optional<Image> mistake_picture;
   if (match.measured.passed) {

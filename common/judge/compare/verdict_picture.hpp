@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "judge/compare/gate.hpp"
 #include "judge/compare/measure.hpp"
 #include "judge/compare/verdict_parts.hpp"
 
@@ -21,8 +20,8 @@ Match best_match(const JudgedCase& c, const Image& yours_raw, const std::vector<
 /// Moves both pictures and their difference into the result, for the report.
 void keep_evidence(CaseResult& result, Match& match, const JudgedCase& c);
 
-/// Completes the result of a picture that failed at the gate. Names the recognised mistake of a single-colour picture.
-void report_gate_failure(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
-                         const StepReferences& references, KeepEvidence keep);
+/// Whether there is a picture, and it passes the gate. Otherwise the result is complete.
+bool is_comparable(CaseResult& result, const JudgedCase& c, const Answer& answer, const StepReferences& references,
+                   KeepEvidence keep);
 
 }  // namespace atelier::judge

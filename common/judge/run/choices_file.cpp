@@ -10,15 +10,10 @@
 #include "base/near_names.hpp"
 #include "base/parse_number.hpp"
 #include "base/printable.hpp"
+#include "base/trimmed.hpp"
 
 namespace atelier::judge {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 /// A bool, an int, a real, a colour, or the name of a choice. The program checks later whether its setting takes it.
 SettingValue value_of(std::string_view text) {

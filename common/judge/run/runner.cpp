@@ -7,12 +7,12 @@
 #include <deque>
 #include <memory>
 #include <numeric>
-#include <random>
 #include <set>
 #include <system_error>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/shuffle.hpp"
 #include "judge/run/shard.hpp"
 
 namespace atelier::judge {
@@ -95,12 +95,9 @@ std::vector<std::deque<std::size_t>> distribute(const std::vector<Case>& cases, 
 }  // namespace
 
 std::vector<std::size_t> case_order(std::size_t count, std::optional<std::uint64_t> seed) {
+  if (seed) return shuffled_order(count, *seed);
   std::vector<std::size_t> order(count);
   std::iota(order.begin(), order.end(), std::size_t(0));
-  if (!seed) return order;
-  // Our own Fisher-Yates shuffle: the result of std::shuffle depends on the standard library.
-  std::mt19937_64 random(*seed);
-  for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random() % i]);
   return order;
 }
 

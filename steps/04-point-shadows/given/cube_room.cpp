@@ -1,21 +1,14 @@
 #include "04-point-shadows/given/cube_room.hpp"
 
+#include "03-shadow-mapping/given/three_cubes.hpp"
 #include "scene/builder.hpp"
 #include "scene/shapes.hpp"
-#include "scene/textures.hpp"
 
 namespace atelier {
 
 Scene make_cube_room_scene() {
-  Scene scene{.name = "cube-room"};
-  scene.ambient = glm::vec3(0.09f);
-  scene.background = glm::vec3(0.1f);
-  const int texture = add_texture(scene, "wood", make_wood());
-  const int wood = add_material(scene, {.name = "wood",
-                                        .diffuse = glm::vec3(1),
-                                        .specular = glm::vec3(0.5f),
-                                        .exponent = 64,
-                                        .diffuse_texture = texture});
+  Scene scene = make_wooden_scene("cube-room");
+  constexpr int wood = 0;
   add_object(scene, make_box({.size = glm::vec3(10), .side = Side::inside}), wood,
              {.name = "room", .casts_shadow = false});
   const int box = add_mesh(scene, make_box({.size = glm::vec3(1)}));
@@ -38,7 +31,6 @@ Scene make_cube_room_scene() {
                     .position = glm::dvec3(0),
                     .colour = glm::vec3(0.3f),
                     .attenuation = {1, 0, 0}});
-  scene.camera = {.eye = {0, 0, 3}, .target = {0, 0, 2}, .fov_y = degrees(45), .near = 0.1f, .far = 100};
   return scene;
 }
 
