@@ -30,7 +30,6 @@ double mean_level(const Image& a, const Image& b) {
 
 TEST_CASE("references are the ground truth, or have a reason why not", "[truth][each-step]") {
   for (const CourseStep& step : course()) {
-    if (!has_truth(step)) continue;
     const Workshop workshop(folders(), step);
     const Version solution = workshop.solution(), skeleton = workshop.skeleton();
     REQUIRE((solution.built && skeleton.built));
@@ -119,7 +118,6 @@ TEST_CASE("every output of every scene is the truth, under every setting without
       {"texcoord", "texcoord", {Measure::number, 1e-3, false}, {}},
   };
   for (const CourseStep& step : course()) {
-    if (!has_truth(step)) continue;
     const Workshop workshop(folders(), step);
     const Version solution = workshop.solution();
     REQUIRE(solution.built);
@@ -152,6 +150,7 @@ TEST_CASE("every output of every scene is the truth, under every setting without
         if (settings.contains("shadow.fit")) ask.settings["shadow.fit"] = std::string("casters");
         if (settings.contains("cube.resolution")) ask.settings["cube.resolution"] = 3072;
       }
+      if (asks.empty()) continue;  // no scene is traced
       const auto truth = truths(workshop, solution, with_edges(asks));
       const auto drawn = judge::run_cases(workshop.settings(solution), asks);
       for (std::size_t i = 0; i < asks.size(); ++i) {

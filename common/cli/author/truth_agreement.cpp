@@ -68,10 +68,6 @@ Image as_compared(Image image, const Compared& how) {
   return how.linear ? encode_for_comparison(std::move(image), float(how.exposure)) : image;
 }
 
-bool has_truth(const CourseStep& step) {
-  return step.name != "00-hello";
-}
-
 std::vector<JudgedCase> pictures_of(const ProjectFolders& folders, const CourseStep& step) {
   auto cases = judge::read_case_file(folders.case_file(step.name)).cases;
   std::erase_if(cases, [](const JudgedCase& c) { return !c.ask.probe.empty(); });

@@ -32,9 +32,6 @@ Compared closeness(const judge::JudgedCase& c);
 
 Image as_compared(Image image, const Compared& how);
 
-/// Whether a step has scenes to trace: step 00 has none.
-bool has_truth(const CourseStep& step);
-
 /// The step's cases that are pictures.
 std::vector<judge::JudgedCase> pictures_of(const ProjectFolders& folders, const CourseStep& step);
 std::vector<Case> asks_of(const std::vector<judge::JudgedCase>& cases);
