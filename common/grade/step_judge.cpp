@@ -72,13 +72,14 @@ StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& o
 
 StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
                      const std::vector<judge::Mistake>& mistakes)
-    : file_(read_selected(criteria, mistakes, only)),
+    : title_(criteria.title),
+      file_(read_selected(criteria, mistakes, only)),
       references_(file_.step, mistakes, judge::references_folder(criteria.cases), criteria.reference_cache) {}
 
 StepResult StepJudge::empty_result() const {
   StepResult result;
   result.step = file_.step;
-  result.title = file_.title;
+  result.title = title_;
   if (live_) result.references = "live";
   result.cases.resize(file_.cases.size());
   return result;

@@ -23,6 +23,7 @@ struct Code {
 
 /// The files that a step is judged with.
 struct Criteria {
+  std::string title;                      ///< of the step, for reports
   std::filesystem::path cases;            ///< tests/cases/NN-name/cases.json
   std::filesystem::path mistakes;         ///< tests/mistakes/NN-name/mistakes.json; need not exist
   std::filesystem::path reference_cache;  ///< folder of decoded pictures; empty: no cache
@@ -65,6 +66,7 @@ class StepJudge {
   judge::StepResult empty_result() const;
   judge::StepResult judge_all_alike(const judge::Answer& answer) const;
 
+  std::string title_;
   judge::CaseFile file_;
   judge::StepReferences references_;
   bool live_ = false;

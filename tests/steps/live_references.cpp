@@ -4,6 +4,7 @@
 
 #include "catch.hpp"
 #include "cli/author/workshop.hpp"
+#include "cli/criteria.hpp"
 #include "command.hpp"
 
 using namespace atelier;
@@ -41,10 +42,7 @@ TEST_CASE("live references work on a driver that draws differently", "[live]") {
       settings.workers = 2;
       return settings;
     };
-    grade::StepJudge judge({.cases = folders().case_file(step.name),
-                            .mistakes = folders().mistakes_file(step.name),
-                            .reference_cache = folders().reference_cache()},
-                           names);
+    grade::StepJudge judge(criteria_of(folders(), step), names);
     asked += int(names.size());
     const judge::StepResult stored = judge.judge(by_softpipe(solution));
     stored_passed += passed(stored);

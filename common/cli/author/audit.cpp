@@ -16,6 +16,7 @@
 #include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
+#include "cli/criteria.hpp"
 #include "judge/compare/mistakes.hpp"
 
 namespace atelier {
@@ -160,9 +161,7 @@ VariantAudit audit_variant(const Workshop& workshop, const grade::StepJudge& jud
 }
 
 void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& audit) {
-  const grade::Criteria criteria{.cases = folders.case_file(step.name),
-                                 .mistakes = folders.mistakes_file(step.name),
-                                 .reference_cache = folders.reference_cache()};
+  const grade::Criteria criteria = criteria_of(folders, step);
   const grade::StepJudge judge(criteria);
   judge.require_references();
   const auto mistakes = judge::read_mistakes(folders.mistakes_file(step.name));

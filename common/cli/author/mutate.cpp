@@ -15,6 +15,7 @@
 #include "cli/author/rewritings.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
+#include "cli/criteria.hpp"
 
 namespace atelier {
 namespace {
@@ -67,9 +68,7 @@ class Field {
       : folders_(folders),
         step_(step),
         workshop_(folders, step),
-        criteria_{.cases = folders.case_file(step.name),
-                  .mistakes = folders.mistakes_file(step.name),
-                  .reference_cache = folders.reference_cache()},
+        criteria_(criteria_of(folders, step)),
         all_(criteria_) {
     all_.require_references();
   }

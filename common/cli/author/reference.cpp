@@ -16,6 +16,7 @@
 #include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"
+#include "cli/criteria.hpp"
 #include "grade/environment.hpp"
 #include "image_io/image_io.hpp"
 #include "judge/compare/make_reference.hpp"
@@ -168,9 +169,9 @@ ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::
 
 std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseStep& step,
                                     const ReferenceOptions& options, const judge::Environment& environment) {
-  const grade::StepJudge judge(
-      {.cases = folders.case_file(step.name), .mistakes = folders.mistakes_file(step.name), .reference_cache = {}},
-      options.cases);
+  grade::Criteria criteria = criteria_of(folders, step);
+  criteria.reference_cache.clear();  // it holds what is about to be replaced
+  const grade::StepJudge judge(criteria, options.cases);
   const fs::path mistakes_file = folders.mistakes_file(step.name);
   const auto mistakes = fs::exists(mistakes_file) ? judge::read_mistakes(mistakes_file) : std::vector<judge::Mistake>{};
   const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases(), options.cases.empty());

@@ -12,6 +12,7 @@
 #include "base/printable.hpp"
 #include "base/replace_together.hpp"
 #include "cli/commands.hpp"
+#include "cli/criteria.hpp"
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
 #include "cli/search_path.hpp"
@@ -127,9 +128,7 @@ int run_grade(const GradeOptions& options) {
   // Read all references first: if one is broken, nothing is graded.
   std::deque<grade::StepJudge> judges;
   for (const CourseStep& step : steps) {
-    judges.emplace_back(grade::Criteria{.cases = grading.folders.case_file(step.name),
-                                        .mistakes = grading.folders.mistakes_file(step.name),
-                                        .reference_cache = grading.folders.reference_cache()});
+    judges.emplace_back(criteria_of(grading.folders, step));
     judges.back().require_references();
   }
 

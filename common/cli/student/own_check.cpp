@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
+#include "cli/criteria.hpp"
 #include "cli/student/own_files.hpp"
 #include "cli/student/progress_record.hpp"
 #include "judge/report/preview.hpp"
@@ -51,10 +52,7 @@ OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course
       course_(std::move(course)),
       step_(std::move(step)),
       options_(std::move(options)),
-      judge_({.cases = folders.case_file(step_.name),
-              .mistakes = folders.mistakes_file(step_.name),
-              .reference_cache = folders.reference_cache()},
-             options_.cases) {
+      judge_(criteria_of(folders, step_), options_.cases) {
   if (options_.live && !is_there(folders_, step_.name, Owner::solution))
     throw Error(fmt::format("--references live: the solution draws them, and {} does not exist",
                             (folders_.solutions() / step_.name).string()));

@@ -205,7 +205,6 @@ CaseFile read_case_file(const fs::path& path) {
   const std::vector<Json> objects = case_objects(document, where);
   strict_json::required(document, "schema", where);  // case_objects has checked its value
   file.step = read_step(strict_json::required(document, "step", where), where + ": step");
-  file.title = strict_json::text(strict_json::required(document, "title", where), where + ": title", 120);
   std::set<std::string> names;
   for (const Json& object : objects) {
     file.cases.push_back(read_case(object, where, references_folder(path)));

@@ -3,7 +3,7 @@
 // tests/cases/NN-name/cases.json holds the cases of a step. tests/cases/README.md explains how to add one; this is the
 // schema. Members without a default are required; unknown members are refused.
 //
-//   {"schema": 1, "step": "02-blinn-phong", "title": TEXT,
+//   {"schema": 1, "step": "02-blinn-phong",
 //    "defaults": {any member of a case but its name},       none; settings and camera are merged member by member
 //    "cases": [CASE, ...]}
 //
@@ -119,7 +119,6 @@ struct JudgedCase {
 struct CaseFile {
   std::filesystem::path path;
   std::string step;  ///< "01-transforms"
-  std::string title;
   std::vector<JudgedCase> cases;
 };
 

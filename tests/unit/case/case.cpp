@@ -168,7 +168,7 @@ TEST_CASE("broken cases are refused with file, case, member and what is allowed"
 }
 
 TEST_CASE("a file's defaults apply to its cases") {
-  const std::vector<Case> cases = cases_of(R"({"schema": 1, "step": "02-x", "title": "T",
+  const std::vector<Case> cases = cases_of(R"({"schema": 1, "step": "02-x",
     "defaults": {"scene": "room", "size": [64, 32], "camera": {"near": 1, "far": 5}, "settings": {"a": 1, "b": 2}, "points": 2},
     "cases": [{"name": "one"},
               {"name": "two", "scene": "hall", "camera": {"far": 9}, "settings": {"b": 3}, "hint": "of the judge"},

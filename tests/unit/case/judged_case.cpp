@@ -31,7 +31,7 @@ json probe() {
 }
 
 json document(const json& one_case) {
-  return {{"schema", 1}, {"step", "02-blinn-phong"}, {"title", "Blinn-Phong"}, {"cases", {one_case}}};
+  return {{"schema", 1}, {"step", "02-blinn-phong"}, {"cases", {one_case}}};
 }
 
 CaseFile read(const json& whole) {
@@ -55,7 +55,6 @@ json with(json base, const json& changes) {
 TEST_CASE("a picture case takes its defaults") {
   const CaseFile file = read(document(picture()));
   CHECK(file.step == "02-blinn-phong");
-  CHECK(file.title == "Blinn-Phong");
   const JudgedCase& c = file.cases.at(0);
   CHECK(c.ask.name == "sphere");
   CHECK(c.tier == "core");
@@ -234,7 +233,6 @@ TEST_CASE("broken case files are refused") {
       {{{"step", nullptr}}, "cases.json: member 'step' is missing"},
       {{{"step", "blinn"}}, "cases.json: step: \"blinn\" is not allowed"},
       {{{"step", "2-blinn"}}, "cases.json: step: \"2-blinn\" is not allowed"},
-      {{{"title", nullptr}}, "cases.json: member 'title' is missing"},
       {{{"cases", nullptr}}, "cases.json: member 'cases' is missing"},
       {{{"cases", {picture(), picture()}}}, "cases.json: two cases are named 'sphere'"},
   };

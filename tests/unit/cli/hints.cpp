@@ -9,7 +9,7 @@ using atelier::test::mentions;
 
 namespace {
 
-constexpr const char* cases = R"({"schema": 1, "step": "01-move", "title": "Move",
+constexpr const char* cases = R"({"schema": 1, "step": "01-move",
   "defaults": {"scene": "any", "asked": "A picture.", "points": 0},
   "cases": [{"name": "one", "title": "One", "hint": "Look at one.", "functions": ["turn"]},
             {"name": "both", "title": "Both", "hint": "Look at both.", "functions": ["turn", "shift"]},

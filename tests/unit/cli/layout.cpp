@@ -124,7 +124,7 @@ TEST_CASE("a student's own earlier step is used if its current files have passed
   const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
   write_file(root.path() / "solutions/01-move/move.cpp", std::string_view("solution"));
   write_file(root.path() / "steps/01-move/move.cpp", std::string_view("mine"));
-  write_file(folders.case_file("01-move"), std::string_view(R"({"schema": 1, "step": "01-move", "title": "Move",
+  write_file(folders.case_file("01-move"), std::string_view(R"({"schema": 1, "step": "01-move",
     "defaults": {"scene": "any", "asked": "A picture.", "points": 0},
     "cases": [{"name": "a", "title": "A"}, {"name": "b", "title": "B"}]})"));
   const CourseStep step{.name = "02-light", .uses = {"01-move"}};

@@ -29,14 +29,14 @@ std::string marked(const std::string& line) {
          "\n  // --- skeleton\n  // | return 0;\n  // <<< student\n";
 }
 
-const char* const cases_of_move = R"({"schema": 1, "step": "01-move", "title": "Move",
+const char* const cases_of_move = R"({"schema": 1, "step": "01-move",
 "defaults": {"scene": "cube", "rejects": ["backwards"], "points": 2, "asked": "A cube.", "hint": "Look."},
 "cases": [
   {"name": "near", "title": "Near", "functions": ["go_near"]},
   {"name": "far-and-secret", "title": "Nobody may see this", "hidden": true, "points": 3, "functions": ["go_in_secret"]},
   {"name": "shown", "title": "Shown", "hidden": false, "points": 1}
 ]})";
-const char* const cases_of_light = R"({"schema": 1, "step": "02-light", "title": "Light",
+const char* const cases_of_light = R"({"schema": 1, "step": "02-light",
 "cases": [{"name": "lit", "title": "Lit", "asked": "Light.", "points": 0,
            "probe": "lit", "inputs": [{"x": 1}], "expected": [[1]]}]})";
 
@@ -285,7 +285,7 @@ TEST_CASE("an incomplete project cannot be released") {
       {"no picture of a handout", "handouts/pictures/01-a.png", nullptr, "01-a.png"},
       {"broken marks", "solutions/01-move/move.cpp", "// >>> student: x\n", "not closed"},
       {"only hidden cases", "tests/cases/01-move/cases.json",
-       R"({"schema": 1, "step": "01-move", "title": "M", "cases": [{"name": "a", "title": "A", "asked": "A.",
+       R"({"schema": 1, "step": "01-move", "cases": [{"name": "a", "title": "A", "asked": "A.",
            "points": 0, "scene": "cube", "hidden": true}]})",
        "every case is hidden"},
   };

@@ -21,7 +21,7 @@ struct Course {
     for (const CourseStep& step : course) {
       const std::string points = step.name == "00-hello" ? "0" : "5";
       write_file(folders.case_file(step.name),
-                 R"({"schema": 1, "step": ")" + step.name + R"(", "title": "T",
+                 R"({"schema": 1, "step": ")" + step.name + R"(",
         "defaults": {"scene": "any", "asked": "A picture.", "hint": "Look.", "rejects": ["x"], "points": )" +
                      points + R"(}, "cases": [{"name": "a", "title": "A"}, {"name": "b", "title": "B"}]})");
       write_file(folders.steps() / step.name / "a.glsl", std::string_view("mine"));

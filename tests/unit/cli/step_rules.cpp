@@ -17,7 +17,7 @@ struct RuledStep {
   CourseStep step = {.name = "05-mist", .title = "Mist", .files = {"mist.cpp"}, .headers = {}, .uses = {}};
 
   RuledStep() {
-    put("tests/cases/05-mist/cases.json", R"({"schema": 1, "step": "05-mist", "title": "Mist", "cases": [
+    put("tests/cases/05-mist/cases.json", R"({"schema": 1, "step": "05-mist", "cases": [
       {"name": "hill", "title": "a", "asked": "a", "hint": "a", "points": 4, "scene": "s", "rejects": ["x"],
        "functions": ["through_mist"]}]})");
   }
