@@ -54,18 +54,23 @@ void set_uniform(Gl& gl, GLint at, const std::vector<double>& values) {
   }
 }
 
+/// "u_lights[0].colour" is a part of a uniform, which the preamble must declare.
+bool sets_member(const std::string& name) {
+  return name.find_first_of("[.") != name.npos;
+}
+
 }  // namespace
 
 glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression,
                                 const Arguments& arguments) {
   std::string text = "out vec4 o_value;\n";
+  const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   for (const auto& [name, values] : arguments.values)
-    text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
+    if (!sets_member(name)) text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
   text += preamble + "void main() { o_value = " + expression + "; }\n";
 
   const std::string shown_as = "probe: " + expression;
   const DebugGroup group(gl_, shown_as);
-  const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   auto found = programs_.find(text);
   if (found == programs_.end()) {
     found = programs_

@@ -26,7 +26,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::vector<std::string> picture_members = {"scene",      "camera", "size",    "output",        "profile",
                                                   "unit",       "delta",  "budget",  "exposure",      "reason",
                                                   "references", "mask",   "regions", "truth_differs", "choice"};
-const std::vector<std::string> probe_members = {"probe", "inputs", "expected", "expected_from", "tolerance"};
+const std::vector<std::string> probe_members = {"probe", "inputs", "numbers", "expected", "expected_from", "tolerance"};
 const std::vector<std::string> shared_members = {"name",   "settings", "title",  "asked",   "hint",      "tier",
                                                  "points", "student",  "hidden", "rejects", "functions", "needs"};
 
@@ -75,7 +75,7 @@ std::vector<Arguments> parse_inputs(const Json& list, const std::string& where) 
     if (!object.is_object()) strict_json::refuse(object, place, "an object of named numbers");
     Arguments& arguments = inputs.emplace_back();
     for (const auto& [name, value] : object.items()) {
-      strict_json::name(name, place, "_");
+      strict_json::name(name, place, "_[].");  // also a member of a uniform: u_lights[0].colour
       arguments.values[name] = strict_json::numbers(value, place + ": " + name);
     }
   }

@@ -24,7 +24,7 @@ struct CheckOptions {
   bool live = false;               ///< compare with what the solution draws here, not with the stored references
   std::filesystem::path report;    ///< folder of the report; empty: out/check/NN-name
   std::filesystem::path sources;   ///< the folder with your NN-name/ folders; empty: steps/
-  bool heatmap = false, json = false, skip_report = false;
+  bool table = false, heatmap = false, json = false, skip_report = false;
 };
 int run_check(const CheckOptions& options);
 

@@ -103,6 +103,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   check->add_option("--report", options.check.report, "Folder of the report; default: out/check/STEP");
   check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; default: steps")
       ->check(CLI::ExistingDirectory);
+  check->add_flag("--table", options.check.table, "Also show a line for each case");
   check->add_flag("--heatmap", options.check.heatmap, "Show as text where a picture differs");
   check->add_flag("--skip-report", options.check.skip_report, "Print the verdict, but write no files");
   add_json(check, options.check.json);

@@ -93,6 +93,7 @@ class GlMeter;
   X(PFNGLGETSTRINGIPROC, GetStringi)                                                   \
   X(PFNGLGETTEXIMAGEPROC, GetTexImage)                                                 \
   X(PFNGLGETTEXLEVELPARAMETERIVPROC, GetTexLevelParameteriv)                           \
+  X(PFNGLGETTEXPARAMETERFVPROC, GetTexParameterfv)                                     \
   X(PFNGLGETTEXPARAMETERIVPROC, GetTexParameteriv)                                     \
   X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                   \
   X(PFNGLGETVERTEXATTRIBIVPROC, GetVertexAttribiv)                                     \

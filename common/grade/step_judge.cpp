@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "base/near_names.hpp"
+#include "judge/explain/causes.hpp"
 #include "judge/run/ask.hpp"
 
 namespace atelier::grade {
@@ -32,20 +34,38 @@ void check_names(const CaseFile& file, const fs::path& path, const std::vector<j
                                 suggestion(name, names)));
 }
 
-CaseFile read_selected(const Criteria& criteria, const std::vector<judge::Mistake>& mistakes,
-                       const std::vector<std::string>& only) {
-  const fs::path& path = criteria.cases;
-  CaseFile file = judge::read_case_file(path);
-  if (fs::exists(criteria.mistakes)) check_names(file, path, mistakes);
-  if (only.empty()) return file;
+CaseFile read_checked(const Criteria& criteria, const std::vector<judge::Mistake>& mistakes) {
+  CaseFile file = judge::read_case_file(criteria.cases);
+  if (fs::exists(criteria.mistakes)) check_names(file, criteria.cases, mistakes);
+  return file;
+}
+
+/// Leaves the cases named in `only`, or all, and returns the other probes.
+std::vector<JudgedCase> select(CaseFile& file, const std::vector<std::string>& only) {
+  if (only.empty()) return {};
   std::vector<std::string> names;
   for (const JudgedCase& c : file.cases) names.push_back(c.ask.name);
   for (const std::string& name : only)
     if (std::find(names.begin(), names.end(), name) == names.end())
-      throw Error(fmt::format("{}: there is no case '{}'{}", path.string(), name, suggestion(name, names)));
-  std::erase_if(file.cases,
-                [&](const JudgedCase& c) { return std::find(only.begin(), only.end(), c.ask.name) == only.end(); });
-  return file;
+      throw Error(fmt::format("{}: there is no case '{}'{}", file.path.string(), name, suggestion(name, names)));
+  const auto others = std::stable_partition(file.cases.begin(), file.cases.end(), [&](const JudgedCase& c) {
+    return std::find(only.begin(), only.end(), c.ask.name) != only.end();
+  });
+  std::vector<JudgedCase> probes;
+  std::copy_if(others, file.cases.end(), std::back_inserter(probes),
+               [](const JudgedCase& c) { return c.profile == judge::Profile::values; });
+  file.cases.erase(others, file.cases.end());
+  return probes;
+}
+
+/// Removes the results of cases from `count` on.
+void keep_first(StepResult& result, std::size_t count) {
+  result.cases.resize(count);
+  for (judge::Cause& cause : result.causes) {
+    std::erase_if(cause.shown, [&](std::size_t i) { return i >= count; });
+    std::erase_if(cause.waiting, [&](std::size_t i) { return i >= count; });
+  }
+  std::erase_if(result.causes, [](const judge::Cause& cause) { return cause.shown.empty() && cause.waiting.empty(); });
 }
 
 std::vector<judge::Mistake> mistakes_of(const fs::path& path) {
@@ -73,7 +93,8 @@ StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& o
 StepJudge::StepJudge(const Criteria& criteria, const std::vector<std::string>& only,
                      const std::vector<judge::Mistake>& mistakes)
     : title_(criteria.title),
-      file_(read_selected(criteria, mistakes, only)),
+      file_(read_checked(criteria, mistakes)),
+      witnesses_(select(file_, only)),
       references_(file_.step, mistakes, judge::references_folder(criteria.cases), criteria.reference_cache) {}
 
 StepResult StepJudge::empty_result() const {
@@ -102,11 +123,16 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
 
 StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {
   StepResult result = empty_result();
+  std::vector<JudgedCase> asked = file_.cases;
+  asked.insert(asked.end(), witnesses_.begin(), witnesses_.end());
+  result.cases.resize(asked.size());
   // Judges each answer while the programs draw the next.
-  judge::ask_cases(settings, file_.step, file_.cases, [&](std::size_t index, const Answer& answer) {
-    result.cases[index] = judge::judge_case(file_.cases[index], answer, references_, keep);
-    if (on_case) on_case();
+  judge::ask_cases(settings, file_.step, asked, [&](std::size_t index, const Answer& answer) {
+    result.cases[index] = judge::judge_case(asked[index], answer, references_, keep);
+    if (on_case && index < file_.cases.size()) on_case();
   });
+  judge::explain_step(result, asked, references_);
+  keep_first(result, file_.cases.size());
   sum_up(result);
   return result;
 }
@@ -115,6 +141,7 @@ StepResult StepJudge::judge_all_alike(const Answer& answer) const {
   StepResult result = empty_result();
   for (std::size_t i = 0; i < file_.cases.size(); ++i)
     result.cases[i] = judge::judge_case(file_.cases[i], answer, references_);
+  judge::explain_step(result, file_.cases, references_);
   sum_up(result);
   return result;
 }

@@ -31,7 +31,8 @@ struct Criteria {
 
 class StepJudge {
  public:
-  /// Reads the cases named in `only`, or all. Throws Error for an invalid file, a file in another step's folder, an
+  /// Reads the cases named in `only`, or all. Of a part, the step's other probes are asked too, for a fair explanation
+  /// (judge/explain/causes.hpp). Throws Error for an invalid file, a file in another step's folder, an
   /// unknown mistake or an unknown case.
   explicit StepJudge(const Criteria& criteria, const std::vector<std::string>& only = {});
 
@@ -68,6 +69,7 @@ class StepJudge {
 
   std::string title_;
   judge::CaseFile file_;
+  std::vector<judge::JudgedCase> witnesses_;  ///< probes that are asked but not reported: they explain pictures
   judge::StepReferences references_;
   bool live_ = false;
 };

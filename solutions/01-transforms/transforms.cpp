@@ -145,14 +145,17 @@ glm::mat4 orthographic(float left, float right, float bottom, float top, float n
 
 glm::mat3 normal_matrix(const glm::mat4& model) {
   // >>> student: the cofactors are cross products of columns; mind the sign of the determinant and overflow
-  glm::mat3 m(model);
-  float largest = 0.0f;
+  const glm::mat3 m(model);
+  const auto largest = [](const glm::vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  const glm::vec3 sizes(largest(m[0]), largest(m[1]), largest(m[2]));
+  glm::mat3 scaled = m, each = m;  // by one number, which keeps directions; each column by its own, for the sign
   for (int column = 0; column < 3; ++column)
-    for (int row = 0; row < 3; ++row) largest = std::max(largest, std::abs(m[column][row]));
-  if (largest > 0.0f)
-    for (int column = 0; column < 3; ++column) m[column] = m[column] / largest;
-  const glm::mat3 cofactor(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
-  return glm::dot(m[0], cofactor[0]) < 0.0f ? -cofactor : cofactor;
+    if (sizes[column] > 0.0f) {
+      scaled[column] = m[column] / largest(sizes);
+      each[column] = m[column] / sizes[column];
+    }
+  const glm::mat3 cofactor(glm::cross(scaled[1], scaled[2]), glm::cross(scaled[2], scaled[0]), glm::cross(scaled[0], scaled[1]));
+  return glm::dot(each[0], glm::cross(each[1], each[2])) < 0.0f ? -cofactor : cofactor;
   // --- skeleton
   // | return glm::mat3(1.0f);
   // <<< student

@@ -68,8 +68,8 @@ glm::mat4 orthographic(float left, float right, float bottom, float top, float n
 
 /// The matrix that transforms normals: sign(det M) cofactor(M) of the upper left 3x3 block M, or any positive multiple
 /// of it (normals are normalised afterwards). It equals the inverse transpose times |det M|, but needs no division and
-/// so exists for flattened models too; the sign of a determinant of zero is +. Finite for every finite model, even if
-/// products of its entries overflow a float (divide M by its largest entry first).
+/// so exists for flattened models too; the sign of a determinant of zero is +. Right for every finite model, even where
+/// products of its entries overflow a float, or underflow to 0: diag(1e25, 1, -1) turns (1, 1, 0) into (0, 1, 0).
 glm::mat3 normal_matrix(const glm::mat4& model);
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -5,8 +5,7 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "cli/author/marked_text.hpp"
-#include "cli/student/function_text.hpp"
+#include "cli/author/unwritten.hpp"
 #include "command.hpp"
 #include "judge/compare/judged_case.hpp"
 
@@ -30,15 +29,6 @@ std::set<std::string> named_up_to(const std::vector<judge::JudgedCase>& cases, c
   return names;
 }
 
-/// The solution with the bodies of these functions as they were handed out.
-std::string without(std::string text, const std::set<std::string>& functions, const std::string& file,
-                    const std::string& step) {
-  for (const std::string& name : functions)
-    if (const auto found = find_function(text, name))
-      text.replace(text.find(found->text), found->text.size(), cut_skeleton(found->text, file, step));
-  return text;
-}
-
 /// Of all steps, what a student hands in who stops behind a tier. Returns how many functions are left out.
 std::size_t stop_behind(const std::string& last, const std::filesystem::path& folder) {
   std::size_t left_out = 0;
@@ -51,7 +41,7 @@ std::size_t stop_behind(const std::string& last, const std::filesystem::path& fo
     std::filesystem::create_directories(folder / step.name);
     for (const std::string& file : step.files)
       write_file(folder / step.name / file,
-                 without(read_file(folders().solutions() / step.name / file), later, file, step.name));
+                 with_unwritten(read_file(folders().solutions() / step.name / file), later, file, step.name));
   }
   return left_out;
 }

@@ -213,7 +213,7 @@ std::string to_json(const Audit& audit) {
 }
 
 void print_table(const Audit& audit) {
-  fmt::print("{:<16} {:<28} {:<28} {}\n", "step", "mistake", "caught by", "named");
+  fmt::print("{:<16} {:<28} {:<28} {}\n", "step", "mistake", "first caught by", "named");
   for (const MistakeAudit& m : audit.mistakes) {
     const std::string named = !m.named ? "-" : *m.named == m.name ? "yes" : *m.named;
     fmt::print("{:<16} {:<28} {:<28} {}\n", m.step, m.name, m.caught_by.value_or(m.built ? "nothing" : "not built"),

@@ -126,6 +126,10 @@ int handle_handout(const ProjectFolders& folders, const CourseStep& step, Plan p
   if (plan.sweeps.empty()) throw Error(fmt::format("{}: no sweep of those asked for is in the handout", step.name));
   const measure::StepMeasured measured = carry_out(plan, program, listing, 0);
   int status = exit_ok;
+  for (const Finding& finding : all_findings(measured)) {
+    fmt::print("{} {}\n", finding.met ? "✓" : "✗", finding.words);
+    if (!finding.met) status = exit_failed;
+  }
   for (const auto& sweep : measured.sweeps) {
     const fs::path plot = folders.handouts() / "plots" / fmt::format("{}-{}", step.number(), sweep.plan.name);
     const fs::path numbers = plot.string() + ".csv", picture = plot.string() + ".svg";

@@ -22,9 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using judge::CaseResult;
-using judge::JudgedCase;
 using OrderedJson = nlohmann::ordered_json;
-using Names = std::vector<std::string>;
 
 enum class Fate { not_built, caught, equivalent, survived, kept, failed };
 
@@ -37,9 +35,9 @@ std::string to_string(Fate fate) {
 struct Trial {
   Mutant mutant;  ///< of a variant: its lines, joined
   Fate fate = Fate::survived;
-  std::string by;     ///< the case that caught it, or that a variant failed
-  std::string named;  ///< what the verdict called it; empty: nothing
-  std::string why;    ///< the reason on record, or the verdict's
+  std::string by;                                         ///< the case that caught it, or that a variant failed
+  std::map<std::string, std::vector<std::string>> named;  ///< what the verdict called it, in which cases
+  std::string why;                                        ///< the reason on record, or the verdict's
 };
 
 struct StepTrials {
@@ -50,26 +48,11 @@ struct StepTrials {
   }
 };
 
-/// The cases in three parts, cheapest first: probes that name the function, its pictures, all others.
-std::vector<Names> in_order(const std::vector<JudgedCase>& cases, const std::string& function) {
-  std::vector<Names> parts(3);
-  for (const JudgedCase& c : cases) {
-    const bool about = std::find(c.functions.begin(), c.functions.end(), function) != c.functions.end();
-    parts[!about ? 2 : c.ask.probe.empty() ? 1 : 0].push_back(c.ask.name);
-  }
-  std::erase_if(parts, [](const Names& names) { return names.empty(); });
-  return parts;
-}
-
 /// Tries the changes of one step.
 class Field {
  public:
   Field(const ProjectFolders& folders, const CourseStep& step)
-      : folders_(folders),
-        step_(step),
-        workshop_(folders, step),
-        criteria_(criteria_of(folders, step)),
-        all_(criteria_) {
+      : folders_(folders), step_(step), workshop_(folders, step), all_(criteria_of(folders, step)) {
     all_.require_references();
   }
 
@@ -145,17 +128,16 @@ class Field {
     }
     judge::RunSettings settings = workshop_.settings(version);
     settings.max_time_outs = 1;
-    for (const Names& names : in_order(all_.cases(), trial.mutant.function))
-      for (const CaseResult& c : grade::StepJudge(criteria_, names).judge(settings, judge::KeepEvidence::never).cases) {
-        if (c.status == judge::Status::build_failed) {
-          trial.fate = Fate::not_built;
-          return;
-        }
-        if (c.status == judge::Status::passed) continue;
-        if (trial.fate == Fate::survived) trial.by = c.name, trial.why = c.reason;
-        trial.fate = Fate::caught;
-        if (c.mistake && trial.named.empty()) trial.named = *c.mistake;
+    for (const CaseResult& c : all_.judge(settings, judge::KeepEvidence::never).cases) {
+      if (c.status == judge::Status::build_failed) {
+        trial.fate = Fate::not_built;
+        return;
       }
+      if (c.status == judge::Status::passed) continue;
+      if (trial.fate == Fate::survived) trial.by = c.name, trial.why = c.reason;
+      trial.fate = Fate::caught;
+      if (c.mistake) trial.named[*c.mistake].push_back(c.name);
+    }
   }
 
   Trial try_variant(std::uint64_t seed) const {
@@ -190,7 +172,6 @@ class Field {
   const ProjectFolders& folders_;
   const CourseStep& step_;
   Workshop workshop_;
-  grade::Criteria criteria_;
   grade::StepJudge all_;
 };
 

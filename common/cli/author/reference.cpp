@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -12,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/replace_together.hpp"
+#include "base/sha256.hpp"
 #include "base/strict_json.hpp"
 #include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
@@ -45,7 +47,7 @@ struct ReferenceRow {
 /// All versions' answers to the cases of a step, in the cases' order: a few hundred megabytes of pictures.
 struct Drawn {
   std::vector<Answer> solution, skeleton, truths;
-  std::map<std::string, std::vector<Answer>> mistakes;
+  std::map<std::string, std::vector<Answer>> mistakes, without;
 };
 
 std::vector<Answer> draw(const Workshop& workshop, const Version& version, const std::vector<JudgedCase>& cases) {
@@ -61,23 +63,26 @@ void require_answer(const std::string& mistake, const std::vector<Answer>& answe
     throw Error(fmt::format("mistake '{}' does not run: {}", mistake, answers.front().error));
 }
 
+/// `functions`: all that a student writes.
 Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
-               const std::vector<JudgedCase>& cases, bool whole_step) {
-  std::vector<std::vector<Answer>> answers(mistakes.size() + 2);
-  for_each_parallel(answers.size(), worker_threads(), [&](std::size_t i) {
-    const Version version = i == 0   ? workshop.solution()
-                            : i == 1 ? workshop.skeleton()
-                                     : workshop.patched("mistake-" + mistakes[i - 2].name, mistakes[i - 2].patch);
-    answers[i] = draw(workshop, version, cases);
-  });
-  Drawn drawn{.solution = std::move(answers[0]),
-              .skeleton = std::move(answers[1]),
-              .truths = judge::ask_truths(workshop.settings(workshop.solution()), cases),
-              .mistakes = {}};
-  for (std::size_t i = 0; i < mistakes.size(); ++i) {
-    if (whole_step) require_answer(mistakes[i].name, answers[i + 2]);
-    drawn.mistakes[mistakes[i].name] = std::move(answers[i + 2]);
-  }
+               const std::set<std::string>& functions, const std::vector<JudgedCase>& cases, bool whole_step) {
+  Drawn drawn;
+  struct Drawing {
+    std::function<Version()> make;
+    std::vector<Answer>& answers;
+  };
+  std::vector<Drawing> drawings{{[&] { return workshop.solution(); }, drawn.solution},
+                                {[&] { return workshop.skeleton(); }, drawn.skeleton}};
+  for (const judge::Mistake& mistake : mistakes)
+    drawings.push_back(
+        {[&] { return workshop.patched("mistake-" + mistake.name, mistake.patch); }, drawn.mistakes[mistake.name]});
+  for (const std::string& function : functions)
+    drawings.push_back({[&] { return workshop.without(function); }, drawn.without[function]});
+  for_each_parallel(drawings.size(), worker_threads(),
+                    [&](std::size_t i) { drawings[i].answers = draw(workshop, drawings[i].make(), cases); });
+  drawn.truths = judge::ask_truths(workshop.settings(workshop.solution()), cases);
+  if (whole_step)
+    for (const auto& [name, answers] : drawn.mistakes) require_answer(name, answers);
   return drawn;
 }
 
@@ -85,6 +90,7 @@ judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, cons
   judge::ReferenceMaterial material{
       .solution = drawn.solution[index], .truth = drawn.truths[index], .skeleton = drawn.skeleton[index]};
   for (const auto& [name, answers] : drawn.mistakes) material.mistakes[name] = answers[index];
+  for (const auto& [name, answers] : drawn.without) material.without[name] = answers[index];
   for (const char* key : {"driver", "cpu"}) material.environment[key] = environment.at(key);
   return material;
 }
@@ -126,6 +132,19 @@ bool would_change(const fs::path& made, const fs::path& there, const JudgedCase&
                       [&](const fs::path& f) { return says_the_same(made / f, there / f); });
 }
 
+/// Takes the old file of each picture whose pixels are the same: files hold the time at which they were written.
+void keep_equal_pictures(const fs::path& made, const fs::path& there, const JudgedCase& c) {
+  for (const fs::path& file : files_of(made, c)) {
+    if (file.extension() == ".json" || !fs::exists(there / file) || !says_the_same(made / file, there / file)) continue;
+    fs::copy_file(there / file, made / file, fs::copy_options::overwrite_existing);
+    const fs::path sidecar_file = judge::sidecar_path(made / file);
+    if (!fs::exists(sidecar_file)) continue;  // an atlas has none
+    judge::Sidecar sidecar = judge::read_sidecar(sidecar_file);
+    sidecar.sha256 = sha256(read_file(made / file));
+    judge::write_sidecar(sidecar_file, sidecar);
+  }
+}
+
 /// Replaces a case's files by the new ones, all or none.
 void replace(const fs::path& made, const fs::path& there, const JudgedCase& c) {
   const std::set<fs::path> files = files_of(made, c), old = files_of(there, c);
@@ -159,7 +178,10 @@ ReferenceRow make_one(const fs::path& folder, const JudgedCase& c, const judge::
     row.margin = made.margin;
     const bool changes = would_change(fresh.path(), folder, c);
     row.state = !changes ? "as it was" : check ? "would change" : "written";
-    if (changes && !check) replace(fresh.path(), folder, c);
+    if (changes && !check) {
+      keep_equal_pictures(fresh.path(), folder, c);
+      replace(fresh.path(), folder, c);
+    }
   } catch (const Error& error) {
     row.state = "refused";
     row.trouble = error.what();
@@ -174,7 +196,8 @@ std::vector<ReferenceRow> make_step(const ProjectFolders& folders, const CourseS
   const grade::StepJudge judge(criteria, options.cases);
   const fs::path mistakes_file = folders.mistakes_file(step.name);
   const auto mistakes = fs::exists(mistakes_file) ? judge::read_mistakes(mistakes_file) : std::vector<judge::Mistake>{};
-  const Drawn drawn = draw_all(Workshop(folders, step), mistakes, judge.cases(), options.cases.empty());
+  const auto functions = judge::functions_of(judge::read_case_file(folders.case_file(step.name)).cases);
+  const Drawn drawn = draw_all(Workshop(folders, step), mistakes, functions, judge.cases(), options.cases.empty());
 
   std::vector<ReferenceRow> rows(judge.cases().size());
   for_each_parallel(rows.size(), worker_threads(), [&](std::size_t i) {
@@ -197,6 +220,23 @@ void print_table(const std::vector<ReferenceRow>& rows) {
   }
 }
 
+/// Files in the folder of references that belong to no case.
+Problems orphans_of(const ProjectFolders& folders, const CourseStep& step) {
+  const judge::CaseFile cases = judge::read_case_file(folders.case_file(step.name));
+  const fs::path folder = judge::references_folder(cases.path);
+  std::set<fs::path> known;
+  for (const JudgedCase& c : cases.cases) {
+    known.merge(files_of(folder, c));
+    for (const fs::path& other : c.references)  // further accepted answers
+      known.insert({other.filename(), judge::sidecar_path(other).filename()});
+  }
+  Problems problems;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (!known.contains(entry.path().filename()))
+      problems.push_back(entry.path().string() + " belongs to no case: delete it");
+  return problems;
+}
+
 /// Other problems of the step's cases, if all were requested, and of new references against the truth.
 Problems problems_of(const ProjectFolders& folders, const CourseStep& step, const ReferenceOptions& options,
                      const std::vector<ReferenceRow>& rows) {
@@ -204,8 +244,9 @@ Problems problems_of(const ProjectFolders& folders, const CourseStep& step, cons
   for (const ReferenceRow& row : rows)
     if (row.state == "written") fresh.push_back(row.name);
   Problems problems = problems_of_truth(folders, step, fresh);
-  if (options.cases.empty())
-    for (const std::string& problem : problems_of_cases(folders, step)) problems.push_back(problem);
+  if (!options.cases.empty()) return problems;
+  for (const Problems& more : {problems_of_cases(folders, step), orphans_of(folders, step)})
+    problems.insert(problems.end(), more.begin(), more.end());
   return problems;
 }
 

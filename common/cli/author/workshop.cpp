@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "base/sha256.hpp"
 #include "cli/author/marked_text.hpp"
+#include "cli/author/unwritten.hpp"
 #include "judge/compare/mistakes.hpp"
 #include "judge/run/ask.hpp"
 
@@ -99,6 +100,15 @@ Version Workshop::changed(const std::string& name, const std::map<std::string, s
     judge::take_step_files(flags_, step_.name, folders_.solutions() / step_.name, folder);
     for (const auto& [file, text] : files) write_file(folder / file, text);
   });
+}
+
+Version Workshop::without(const std::string& function) const {
+  std::map<std::string, std::string> files;
+  for (const std::string& file : step_.files) {
+    const std::string name = step_.name + "/" + file;
+    files[file] = with_unwritten(read_file(folders_.solutions() / name), {function}, "solutions/" + name, step_.name);
+  }
+  return changed("without-" + function, files);
 }
 
 judge::RunSettings Workshop::settings(const Version& version, const std::map<std::string, Version>& earlier) const {

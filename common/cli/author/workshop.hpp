@@ -34,6 +34,9 @@ class Workshop {
   /// The solution with a patch. If the patch does not apply, the version is not built and its log says why.
   Version patched(const std::string& name, const std::filesystem::path& patch) const;
 
+  /// The solution with one function as in the skeleton.
+  Version without(const std::string& function) const;
+
   /// The solution with other texts in the place of these files, by their names.
   Version changed(const std::string& name, const std::map<std::string, std::string>& files) const;
 

@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 
 void print_verdict(const judge::StepResult& result, const CheckOptions& options, const fs::path& report) {
   judge::TerminalStyle style = judge::terminal_style(STDOUT_FILENO);
+  style.table = options.table;
   style.heat_maps = options.heatmap;
   if (!options.skip_report && judge::can_link(STDOUT_FILENO))
     style.report_url = "file://" + (report / "report.html").string();

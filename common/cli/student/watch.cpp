@@ -50,37 +50,9 @@ bool is_whole(const fs::path& file) {
   return fs::file_size(file, error) > 0 && !error;
 }
 
-/// The result with only the first failure: what to fix next.
-judge::StepResult first_failure(const judge::StepResult& result) {
-  // Do not copy the whole result: every case has its pictures.
-  judge::StepResult first{.step = result.step,
-                          .title = result.title,
-                          .score = result.score,
-                          .max_score = result.max_score,
-                          .cases = {},
-                          .build_log = result.build_log,
-                          .implementations = result.implementations};
-  for (const judge::CaseGroup& group : judge::case_groups(result))
-    if (group.front()->status != judge::Status::passed) {
-      for (const judge::CaseResult* c : group) first.cases.push_back(*c);
-      break;
-    }
-  return first;
-}
-
-/// "Also failing: sphere, table", of those not shown yet; limited for the screen.
-std::string further_failures(const judge::StepResult& result, const judge::StepResult& shown) {
-  constexpr std::size_t most_names = 8;
-  const auto is_shown = [&](const std::string& name) {
-    return std::any_of(shown.cases.begin(), shown.cases.end(), [&](const auto& c) { return c.name == name; });
-  };
-  std::vector<std::string> names;
-  for (const judge::CaseResult& c : result.cases)
-    if (c.status != judge::Status::passed && !is_shown(c.name)) names.push_back(c.name);
-  if (names.empty()) return {};
-  std::string text = "Also failing: ";
-  for (std::size_t i = 0; i < std::min(names.size(), most_names); ++i) text += (i ? ", " : "") + names[i];
-  return text + (names.size() > most_names ? fmt::format(" and {} more\n", names.size() - most_names) : "\n");
+judge::TerminalStyle with_table(judge::TerminalStyle style) {
+  style.table = true;
+  return style;
 }
 
 enum class Going { on, away };
@@ -203,15 +175,13 @@ void Session::judge_and_show() {
 
 void Session::show_verdict() {
   const judge::StepResult& step = result_->steps.front();
-  const judge::StepResult first = first_failure(step);
-  fmt::print("\n{}\n{}", judge::terminal_report(first, style_), further_failures(step, first));
-  fmt::print("{} of {} cases passed\n", judge::count(step, judge::Status::passed), step.cases.size());
+  fmt::print("\n{}", judge::first_cause_report(step, style_));
   if (grade::all_passed(step)) fmt::print("\n{}", after_pass(check_.folders(), standings_now(), step.step));
 }
 
 void Session::show_all() const {
   if (result_)
-    fmt::print("\n{}", judge::terminal_report(result_->steps.front(), style_));
+    fmt::print("\n{}", judge::terminal_report(result_->steps.front(), with_table(style_)));
   else
     fmt::print("There is no verdict yet.\n");
 }

@@ -150,8 +150,24 @@ Tolerance read_tolerance(const Reader& r) {
   return tolerance;
 }
 
+std::vector<NumberName> read_numbers(const Reader& r) {
+  std::vector<NumberName> names;
+  const Json* list = r.find("numbers");
+  if (!list) return names;
+  constexpr std::string_view mark = ": enum";
+  if (!list->is_array() || list->empty()) strict_json::refuse(*list, r.at("numbers"), "a list of names");
+  for (const Json& element : *list) {
+    NumberName name{.name = strict_json::text(element, r.at("numbers"), 64)};
+    name.is_enum = name.name.ends_with(mark);
+    if (name.is_enum) name.name.resize(name.name.size() - mark.size());
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
 void read_probe(const Reader& r, const fs::path& folder, JudgedCase& c) {
   c.profile = Profile::values;
+  c.numbers = read_numbers(r);
   c.tolerance = read_tolerance(r);
   if (const Json* from = r.find("expected_from")) {
     strict_json::one_of(*from, r.at("expected_from"), {"reference"});
@@ -164,6 +180,9 @@ void read_probe(const Reader& r, const fs::path& folder, JudgedCase& c) {
   for (const Json& list : lists) {
     c.expected.push_back(strict_json::numbers(list, fmt::format("{} {}", r.at("expected"), c.expected.size())));
   }
+  for (const Numbers& result : c.expected)
+    if (!c.numbers.empty() && result.size() != c.numbers.size())
+      r.refuse(fmt::format("'numbers' has {} names for a result of {}", c.numbers.size(), result.size()));
   if (c.expected.size() != c.ask.inputs.size()) {
     r.refuse(fmt::format("'expected' has {} lists for {} inputs", c.expected.size(), c.ask.inputs.size()));
   }

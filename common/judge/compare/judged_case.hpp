@@ -46,6 +46,7 @@
 //   Of a probe
 //     "probe"      the function, as the program lists it
 //     "inputs"     [{"eye": [x,y,z], "count": 3, ...}, ...]; a matrix is its columns in order
+//     "numbers"    a name for each number of a result, for messages: ["eye.x", "GL_TEXTURE_WRAP_S: enum", ...]
 //     "expected"   [[numbers of input 0], ...]; non-finite numbers as "nan", "inf", "-inf"; or
 //     "expected_from": "reference"   the numbers are in NAME.values.json, written by ./atelier reference
 //     "tolerance"  {"absolute", "relative", "ulp", "reason"}; without it numbers must be equal
@@ -85,6 +86,12 @@ struct Tolerance {
   std::string reason;                 ///< why it is not smaller; required unless all three are 0
 };
 
+/// What a number of a probe's result means.
+struct NumberName {
+  std::string name;      ///< "eye.x"
+  bool is_enum = false;  ///< of OpenGL: shown by its name
+};
+
 struct JudgedCase {
   Case ask;
   std::string title, asked, hint;
@@ -110,6 +117,7 @@ struct JudgedCase {
   std::vector<std::filesystem::path> references;  ///< accepted pictures, in the folder of references
 
   // Of a probe
+  std::vector<NumberName> numbers;      ///< of each result, in order; empty: they have no names
   std::vector<Numbers> expected;        ///< one list per input; empty if they are in expected_file
   std::filesystem::path expected_file;  ///< NAME.values.json among the references, or empty
   Tolerance tolerance;

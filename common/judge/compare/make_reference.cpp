@@ -242,9 +242,17 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
   WrongValues wrong;
   for (const auto& [mistake, answer] : material.mistakes)
     if (answer.ended == Answer::Ended::normally && answer.values && made.margins.at(mistake) >= 1)
-      wrong[mistake] = *answer.values;
+      wrong.mistakes[mistake] = *answer.values;
+  const auto add_unwritten = [&](const Answer& answer) {
+    if (answer.ended == Answer::Ended::normally && answer.values && margin_of(c, answer, correct) >= 1 &&
+        std::find(wrong.unwritten.begin(), wrong.unwritten.end(), *answer.values) == wrong.unwritten.end())
+      wrong.unwritten.push_back(*answer.values);
+  };
+  if (!c.functions.empty() && material.without.contains(c.functions.front()))
+    add_unwritten(material.without.at(c.functions.front()));
+  if (material.skeleton) add_unwritten(*material.skeleton);
   const std::filesystem::path atlas = wrong_values_path(folder, c.ask.name);
-  if (wrong.empty()) {
+  if (wrong.mistakes.empty() && wrong.unwritten.empty()) {
     std::error_code ignored;
     std::filesystem::remove(atlas, ignored);
     return;
@@ -277,6 +285,8 @@ MadeReference make_reference(const std::filesystem::path& folder, const JudgedCa
   sidecar.environment = material.environment;
   sidecar.skeleton_fraction = made.skeleton_fraction;
   sidecar.nearest = made.nearest;
+  for (const auto& [function, answer] : material.without)
+    if (margin_of(c, answer, correct) >= 1) sidecar.needs.push_back(function);
   sidecar.margin = made.margin;
   const auto write = c.profile == Profile::values ? write_values : write_picture;
   write(folder, c, material, correct, sidecar, made);

@@ -69,7 +69,10 @@ std::string run_patch(const fs::path& patch, const fs::path& folder) {
       .time_limit = std::chrono::seconds(10),
   });
   if (!finished.ok())
-    throw Error(fmt::format("{}: does not apply to the solution: {}", patch.string(), finished.output));
+    throw Error(
+        fmt::format("{}: does not apply to the solution; if the solution has changed, update its patches with "
+                    "'./atelier mistake STEP --rebase REVISION', or delete this one and make it again: {}",
+                    patch.string(), finished.output));
   return finished.output;
 }
 

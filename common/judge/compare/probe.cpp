@@ -11,6 +11,8 @@
 #include <limits>
 #include <numeric>
 
+#include "judge/compare/gl_enum_name.hpp"
+
 namespace atelier::judge {
 namespace {
 
@@ -102,13 +104,26 @@ int matrix_side(const std::vector<Numbers>& expected) {
   return every([](const Numbers& numbers) { return numbers.size() == 9; }) ? 3 : 0;
 }
 
-std::string place_of_number(int component, int count, int side) {
+std::string place_of_number(const ProbeNumber& number, const std::vector<Numbers>& expected, const JudgedCase& c) {
+  const int count = int(expected[std::size_t(number.input)].size()), side = matrix_side(expected);
+  if (!c.numbers.empty()) return c.numbers[std::size_t(number.component)].name;
   if (count == 1) return "";
-  if (side == 0) return fmt::format("number {} of {}", component + 1, count);
-  const int size = side * side, column = component % size / side, row = component % side;
+  if (side == 0) return fmt::format("number {} of {}", number.component + 1, count);
+  const int size = side * side, column = number.component % size / side, row = number.component % side;
   const std::string matrix =
-      count > size ? fmt::format(" of matrix {} of {}", component / size + 1, count / size) : std::string();
+      count > size ? fmt::format(" of matrix {} of {}", number.component / size + 1, count / size) : std::string();
   return fmt::format("row {}, column {} (m[{}][{}]){}", row + 1, column + 1, column, row, matrix);
+}
+
+std::string yours_and_expected(const ProbeNumber& number, const JudgedCase& c) {
+  if (!c.numbers.empty() && c.numbers[std::size_t(number.component)].is_enum)
+    return fmt::format("{} instead of {}", gl_enum_name(number.yours), gl_enum_name(number.expected));
+  for (int digits = 7; digits < 17; ++digits) {
+    const std::string yours = fmt::format("{:.{}g}", unsigned_zero(number.yours), digits),
+                      expected = fmt::format("{:.{}g}", unsigned_zero(number.expected), digits);
+    if (yours != expected) return yours + " instead of " + expected;
+  }
+  return fmt::format("{:.17g} instead of {:.17g}", number.yours, number.expected);
 }
 
 std::string show_numbers(const Numbers& numbers) {
@@ -133,6 +148,20 @@ std::string show_matrices(const Numbers& columns, int side, double noise) {
   return text;
 }
 
+namespace {
+
+/// A line for each wrong number of a result whose numbers have names.
+std::string wrong_numbers(int input, const Numbers& yours, const Numbers& expected, const JudgedCase& c) {
+  std::string text;
+  for (std::size_t k = 0; k < std::min({yours.size(), expected.size(), c.numbers.size()}); ++k)
+    if (!within(yours[k], expected[k], c.tolerance))
+      text +=
+          fmt::format("  {}: {}\n", c.numbers[k].name, yours_and_expected({input, int(k), yours[k], expected[k]}, c));
+  return text;
+}
+
+}  // namespace
+
 std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected, const JudgedCase& c,
                         int rows) {
   const std::size_t inputs = std::min({yours.size(), expected.size(), c.ask.inputs.size()});
@@ -147,7 +176,7 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
     return fmt::format("  {:<9}{}{}\n", label, side > 0 ? "\n" : " ",
                        side > 0 ? show_matrices(numbers, side, noise) : show_numbers(numbers));
   };
-  const int side = matrix_side(expected);
+  const int side = c.numbers.empty() ? matrix_side(expected) : 0;
   const double noise = c.tolerance.absolute;
   std::string text;
   for (std::size_t i : order) {
@@ -162,6 +191,10 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
                         : std::isinf(times[i]) ? std::string("wrong")
                                                : fmt::format("wrong, {:.3g} times the tolerance", times[i]));
     for (const auto& [name, numbers] : c.ask.inputs[i].values) text += line(name, numbers, matrix_side({numbers}), 0);
+    if (!c.numbers.empty()) {
+      text += wrong_numbers(int(i), yours[i], expected[i], c);
+      continue;
+    }
     text += line("expected", expected[i], side, noise);
     if (times[i] > 0) text += line("yours", yours[i], side, noise);
   }

@@ -38,15 +38,19 @@ struct ProbeMeasurement {
 ProbeMeasurement measure_probe(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected,
                                const JudgedCase& c);
 
-/// 4 if every expected result is a 4x4 matrix (16 numbers) or a list of affine ones (a multiple of 16 numbers, each
-/// fourth row 0 0 0 1), 3 if every one is a 3x3 matrix (9 numbers), otherwise 0.
+/// 4 if every expected result of a case without names is a 4x4 matrix (16 numbers) or a list of affine ones (a multiple
+/// of 16 numbers, each fourth row 0 0 0 1), 3 if every one is a 3x3 matrix (9 numbers), otherwise 0.
 int matrix_side(const std::vector<Numbers>& expected);
 
-/// "number 2 of 3"; in a matrix of `side` rows "row 1, column 4 (m[3][0])", counted from 1 in words and as in GLSL and
-/// glm in brackets. Empty for a single number.
-std::string place_of_number(int component, int count, int side);
+/// "eye.y" if the case names its numbers; otherwise "number 2 of 3", or in a matrix of `side` rows "row 1, column 4
+/// (m[3][0])", counted from 1 in words and as in GLSL and glm in brackets. Empty for a single number.
+std::string place_of_number(const ProbeNumber& number, const std::vector<Numbers>& expected, const JudgedCase& c);
 
-/// A table for the report: inputs, expected and your results, the worst input first, at most `rows` inputs.
+/// "0 instead of 5": with as many digits as tell the two apart, at least 7; enums by their names.
+std::string yours_and_expected(const ProbeNumber& number, const JudgedCase& c);
+
+/// A table for the report: inputs, expected and your results, the worst input first, at most `rows` inputs. Of named
+/// numbers only those that are wrong.
 std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected, const JudgedCase& c,
                         int rows = 8);
 

@@ -106,7 +106,12 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
     Sidecar sidecar = read_sidecar(file);
     check_sidecar(sidecar, c, file);
     references.skeleton_fraction = sidecar.skeleton_fraction;
+    references.needs = std::move(sidecar.needs);
     if (c.expected.empty()) references.values = std::move(sidecar.values);
+    for (const Numbers& result : references.values)
+      if (!c.numbers.empty() && result.size() != c.numbers.size())
+        throw Error(fmt::format("{}: a result has {} numbers, but 'numbers' of case '{}' names {}", file.string(),
+                                result.size(), c.ask.name, c.numbers.size()));
     if (references.values.size() != c.ask.inputs.size())
       throw Error(fmt::format("{}: has results for {} inputs, but case '{}' has {}", file.string(),
                               references.values.size(), c.ask.name, c.ask.inputs.size()));
@@ -129,7 +134,10 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
       return read_image(file, encoding_in_file(c.unit));
     });
     check_size(picture, c.ask.size, file);
-    if (references.pictures.empty()) references.skeleton_fraction = sidecar.skeleton_fraction;
+    if (references.pictures.empty()) {
+      references.skeleton_fraction = sidecar.skeleton_fraction;
+      references.needs = sidecar.needs;
+    }
     references.pictures.push_back(std::move(picture));
   }
   if (references.pictures.empty()) throw Error(fmt::format("{}: case '{}' names no reference", step_, c.ask.name));

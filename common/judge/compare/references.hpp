@@ -18,9 +18,10 @@ namespace atelier::judge {
 
 /// The correct answers to one case.
 struct CaseReferences {
-  std::vector<Image> pictures;   ///< at least one, as a program writes them (linear colour, or data); each is correct
-  std::vector<Numbers> values;   ///< of a probe: one list per input
-  double skeleton_fraction = 1;  ///< f1 of credit.hpp
+  std::vector<Image> pictures;     ///< at least one, as a program writes them (linear colour, or data); each is correct
+  std::vector<Numbers> values;     ///< of a probe: one list per input
+  double skeleton_fraction = 1;    ///< f1 of credit.hpp
+  std::vector<std::string> needs;  ///< the students' functions without any one of which the case fails
 };
 
 /// The answers of known mistakes to one case.

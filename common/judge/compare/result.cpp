@@ -20,4 +20,20 @@ std::string to_string(Status status) {
   return "failed";
 }
 
+std::string to_string(Cause::Kind kind) {
+  switch (kind) {
+    case Cause::Kind::no_answer:
+      return "no_answer";
+    case Cause::Kind::function:
+      return "function";
+    case Cause::Kind::unwritten:
+      return "unwritten";
+    case Cause::Kind::picture:
+      return "picture";
+    case Cause::Kind::choice:
+      return "choice";
+  }
+  return "picture";
+}
+
 }  // namespace atelier::judge

@@ -43,8 +43,9 @@ struct CaseResult {
 
   std::string asked;                            ///< the required result, in one sentence
   std::string reason;                           ///< what is wrong, in one sentence; for a pass, the margin
+  std::string waits_for;                        ///< a function that it needs and that is wrong: correct this first
   std::optional<std::string> hypothesis;        ///< one operation that explains it: "flipped-y", "transposed" ...
-  std::optional<std::string> mistake;           ///< the name of the known mistake that the answer looks like
+  std::optional<std::string> mistake;           ///< the name of the known mistake that the step's answers agree with
   std::optional<std::string> mistake_sentence;  ///< what a student reads about it
   std::string hint;                             ///< what to try next
   std::string credit;                           ///< how partial credit was computed; empty if all or no points
@@ -57,14 +58,39 @@ struct CaseResult {
   std::map<std::string, double> figures;
   std::optional<Worst> worst;
   std::optional<Evidence> evidence;  ///< none for probes, and if there was no picture
-  std::string table;                 ///< of a probe: inputs, expected, yours, the worst first; preformatted text
-  std::string output;                ///< what the program printed, limited in size; untrusted text
+
+  // For explain_step (explain/causes.hpp), which sees all cases of a step.
+  std::vector<std::string> could_be;  ///< known mistakes that give this answer: of a picture at most one
+  bool unwritten = false;             ///< of a probe: the answer is that of the skeleton's function
+  std::string measured;               ///< the reason without the hypothesis
+
+  std::string table;   ///< of a probe: inputs, expected, yours, the worst first; preformatted text
+  std::string output;  ///< what the program printed, limited in size; untrusted text
 };
+
+/// One thing to correct, and the failing cases that it explains.
+struct Cause {
+  enum class Kind {
+    no_answer,  ///< crashed, timed out, did not compile, or nothing was there: `shown` are all cases with this reason
+    function,   ///< a function is wrong: `shown` are its failing probes
+    unwritten,  ///< functions are as in the skeleton: `shown` are the failing probes of the first one
+    picture,    ///< pictures are wrong although the probes of all functions that they need pass
+    choice,     ///< a setting in choices.txt
+  };
+  Kind kind = Kind::picture;
+  std::vector<std::string> functions;  ///< of a picture: those that it needs and that no probe asks
+  int inputs = 0, wrong = 0;           ///< of a function: over all its probes
+  std::vector<std::size_t> shown;      ///< indices of StepResult::cases
+  std::vector<std::size_t> waiting;    ///< other cases that fail because of it; pictures that show it best come first
+};
+
+std::string to_string(Cause::Kind kind);  ///< "no_answer" ... as in results.json
 
 struct StepResult {
   std::string step, title;
   double score = 0, max_score = 0;
   std::vector<CaseResult> cases;
+  std::vector<Cause> causes;          ///< in the order in which to correct them
   std::string build_log;              ///< the compiler's messages; empty after a clean build; untrusted text
   std::string references = "stored";  ///< or "live": drawn by the solution with the driver that drew the answers
   std::map<std::string, std::string> implementations;  ///< step -> "yours", "solution": whose code was used

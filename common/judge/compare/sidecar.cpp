@@ -72,7 +72,7 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   strict_json::refuse_unknown(
       json,
       {"schema", "case", "profile", "unit", "delta", "budget", "exposure", "mask", "regions", "reason", "sha256",
-       "environment", "skeleton_share", "nearest", "margin", "results", "atlas"},
+       "environment", "skeleton_share", "nearest", "margin", "results", "needs", "atlas"},
       where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   const auto at = [&](const char* name) { return where + ": " + name; };
@@ -85,6 +85,10 @@ Sidecar read_sidecar(const std::filesystem::path& file) {
   sidecar.margin = strict_json::number(member("margin"), at("margin"), 0, 1e9);
   if (const Json* nearest = strict_json::optional(json, "nearest"))
     sidecar.nearest = strict_json::name(*nearest, at("nearest"));
+  if (const Json* needs = strict_json::optional(json, "needs")) {
+    if (!needs->is_array()) strict_json::refuse(*needs, at("needs"), "a list of names of functions");
+    for (const Json& name : *needs) sidecar.needs.push_back(strict_json::text(name, at("needs"), 64));
+  }
   const Json& environment = member("environment");
   if (!environment.is_object()) strict_json::refuse(environment, at("environment"), "an object of texts");
   for (const auto& [name, text] : environment.items())
@@ -132,6 +136,7 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar) {
   json["margin"] = sidecar.margin;
   if (sidecar.nearest) json["nearest"] = *sidecar.nearest;
   json["environment"] = sidecar.environment;
+  if (!sidecar.needs.empty()) json["needs"] = sidecar.needs;
   if (!sidecar.atlas.empty()) json["atlas"] = sidecar.atlas;
   if (!sidecar.values.empty()) json["results"] = write_results(sidecar.values);
   write_file(file, json.dump(2) + "\n");
@@ -159,13 +164,17 @@ void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::files
 WrongValues read_wrong_values(const std::filesystem::path& file) {
   const std::string where = file.string();
   const Json json = strict_json::parse(read_file(file), where);
-  strict_json::refuse_unknown(json, {"schema", "mistakes"}, where);
+  strict_json::refuse_unknown(json, {"schema", "mistakes", "unwritten"}, where);
   strict_json::integer(strict_json::required(json, "schema", where), where + ": schema", schema, schema);
   const Json& mistakes = strict_json::required(json, "mistakes", where);
   if (!mistakes.is_object()) strict_json::refuse(mistakes, where + ": mistakes", "an object of lists by mistake");
   WrongValues values;
   for (const auto& [name, results] : mistakes.items())
-    values[name] = read_results(results, where + ": mistakes: " + name);
+    values.mistakes[name] = read_results(results, where + ": mistakes: " + name);
+  if (const Json* unwritten = strict_json::optional(json, "unwritten")) {
+    if (!unwritten->is_array()) strict_json::refuse(*unwritten, where + ": unwritten", "a list of lists of results");
+    for (const Json& results : *unwritten) values.unwritten.push_back(read_results(results, where + ": unwritten"));
+  }
   return values;
 }
 
@@ -173,7 +182,8 @@ void write_wrong_values(const std::filesystem::path& file, const WrongValues& va
   nlohmann::ordered_json json;
   json["schema"] = schema;
   json["mistakes"] = nlohmann::ordered_json::object();
-  for (const auto& [name, results] : values) json["mistakes"][name] = write_results(results);
+  for (const auto& [name, results] : values.mistakes) json["mistakes"][name] = write_results(results);
+  for (const std::vector<Numbers>& results : values.unwritten) json["unwritten"].emplace_back(write_results(results));
   write_file(file, json.dump(1) + "\n");
 }
 

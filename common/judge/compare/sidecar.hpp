@@ -6,7 +6,7 @@
 //   sphere.atlas.png       the pictures of known mistakes, encoded, at half size, one below the other in the order of
 //                          the sidecar's "atlas"
 //   look-at.values.json    of a probe: the sidecar, with the expected numbers unless the case file has them
-//   look-at.mistakes.json  the numbers that known mistakes return for a probe
+//   look-at.mistakes.json  what known mistakes and the untouched skeleton return for a probe
 #pragma once
 
 #include <filesystem>
@@ -37,6 +37,7 @@ struct Sidecar {
   double skeleton_fraction = 1;        ///< f1: fraction of pixels (or inputs) that the untouched skeleton fails
   std::optional<std::string> nearest;  ///< the claimed mistake with the smallest margin
   double margin = 0;                   ///< its margin in tolerances; at least 2, or 0 if the case claims none
+  std::vector<std::string> needs;      ///< the students' functions without any one of which the case fails
   std::vector<std::string> atlas;      ///< the mistakes in the atlas, from top to bottom
 
   std::vector<Numbers> values;  ///< of a probe whose expected numbers come from the reference; otherwise empty
@@ -49,8 +50,11 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar);
 /// Throws Error if `sidecar` was made for another case, or for other tolerances than `c` has now.
 void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::filesystem::path& file);
 
-/// The numbers that known mistakes return for a probe, by the mistake's name.
-using WrongValues = std::map<std::string, std::vector<Numbers>>;
+/// Wrong answers to a probe.
+struct WrongValues {
+  std::map<std::string, std::vector<Numbers>> mistakes;  ///< of known mistakes, by name
+  std::vector<std::vector<Numbers>> unwritten;           ///< without the probe's function, alone and in the skeleton
+};
 WrongValues read_wrong_values(const std::filesystem::path& file);
 void write_wrong_values(const std::filesystem::path& file, const WrongValues& values);
 

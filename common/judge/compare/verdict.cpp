@@ -81,16 +81,9 @@ void give_partial_credit(CaseResult& result, const Credit& credit) {
   result.credit = result.score > 0 ? credit.explanation : "";
 }
 
-void name_mistake(CaseResult& result, const std::string& name, const StepReferences& references) {
-  result.mistake = name;
-  const Mistake* known = references.mistake(name);
-  if (!known) return;
-  result.mistake_sentence = known->sentence;
-  if (!known->hint.empty()) result.hint = known->hint;
-}
-
 void add_hypothesis(CaseResult& result, const Hypothesis& whole) {
   result.hypothesis = whole.name;
+  result.measured = result.reason;
   result.reason = whole.sentence + " " + result.reason;
   result.hint = whole.hint;
 }

@@ -38,16 +38,16 @@ void keep_figures(CaseResult& result, const Measurement& measured) {
   result.figures["shift"] = measured.shift.length();
 }
 
-/// Names the mistake of the atlas that the picture looks like, and returns its picture for the report.
-void name_picture(CaseResult& result, const Match& match, const JudgedCase& c, const StepReferences& references,
-                  std::optional<Image>& mistake_picture) {
+/// Finds the mistake of the atlas that the picture looks like, and its picture for the report.
+void recognise_picture(CaseResult& result, const Match& match, const JudgedCase& c, const StepReferences& references,
+                       std::optional<Image>& mistake_picture) {
   const CaseAtlas& atlas = references.atlas(c);
   if (atlas.pictures.empty()) return;
   const auto found =
       recognise(rank_mistakes(make_atlas_picture(match.yours, match.reference, c.unit),
                               make_atlas_picture(match.reference, match.reference, c.unit), atlas.pictures));
   if (!found) return;
-  name_mistake(result, found->mistake, references);
+  result.could_be = {found->mistake};
   result.figures["nearness"] = found->distance / found->reference;
   for (const AtlasPicture& entry : atlas.pictures)
     if (entry.mistake == found->mistake && entry.same_view) mistake_picture = entry.picture;
@@ -60,7 +60,7 @@ void explain_picture(CaseResult& result, const Match& match, const JudgedCase& c
   const auto whole = explain_whole_picture(
       {yours_raw, *match.reference_raw, match.yours, match.reference, c, measured.difference.mask});
   if (whole) add_hypothesis(result, *whole);
-  name_picture(result, match, c, references, mistake_picture);
+  recognise_picture(result, match, c, references, mistake_picture);
 
   PictureFailure failure;
   failure.failing_fraction = measured.failing_fraction;
@@ -101,7 +101,7 @@ void keep_evidence(CaseResult& result, Match& match, const JudgedCase& c) {
 
 namespace {
 
-/// Completes the result of a picture that failed at the gate. Names the recognised mistake of a single-colour picture.
+/// Completes the result of a picture that failed at the gate. Recognises the mistake of a single-colour picture.
 void report_gate_failure(CaseResult& result, const GateFailure& stopped, const JudgedCase& c, const Image& yours,
                          const StepReferences& references, KeepEvidence keep) {
   result.reason = stopped.sentence;
@@ -119,7 +119,7 @@ void report_gate_failure(CaseResult& result, const GateFailure& stopped, const J
   if (stopped.kind == GateFailure::Kind::single_colour) {
     match.measured = measure(match.yours, match.reference, c);
     keep_figures(result, match.measured);
-    name_picture(result, match, c, references, mistake_picture);
+    recognise_picture(result, match, c, references, mistake_picture);
   } else {
     result.figures["non_finite"] = stopped.count;
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "judge/compare/probe.hpp"
@@ -12,11 +13,10 @@ namespace atelier::judge {
 namespace {
 
 /// "at input 2: row 1, column 4 (m[3][0]) is 0 instead of 5"
-std::string number_words(const ProbeNumber& number, const std::vector<Numbers>& expected) {
-  const auto count = int(expected[std::size_t(number.input)].size());
-  const std::string place = place_of_number(number.component, count, matrix_side(expected));
-  return fmt::format("at input {}: {} is {} instead of {}", number.input, place.empty() ? "the result" : place,
-                     show_numbers({number.yours}), show_numbers({number.expected}));
+std::string number_words(const ProbeNumber& number, const std::vector<Numbers>& expected, const JudgedCase& c) {
+  const std::string place = place_of_number(number, expected, c);
+  return fmt::format("at input {}: {} is {}", number.input, place.empty() ? "the result" : place,
+                     yours_and_expected(number, c));
 }
 
 std::string describe_probe(const ProbeMeasurement& measured, const std::vector<Numbers>& expected,
@@ -31,9 +31,9 @@ std::string describe_probe(const ProbeMeasurement& measured, const std::vector<N
   const std::string wrong =
       measured.wrong == measured.inputs ? inputs : fmt::format("{} of {} inputs", measured.wrong, measured.inputs);
   const ProbeNumber &first = measured.first_wrong.value(), &worst = measured.worst;
-  std::string text = fmt::format("{} is wrong for {}. First error {}", name, wrong, number_words(first, expected));
+  std::string text = fmt::format("{} is wrong for {}. First error {}", name, wrong, number_words(first, expected, c));
   if (first.input != worst.input || first.component != worst.component)
-    text += fmt::format("; worst error {}", number_words(worst, expected));
+    text += fmt::format("; worst error {}", number_words(worst, expected, c));
   text += '.';
   if (measured.non_finite > 0) text += fmt::format(" For {} of them it returns NaN or infinity.", measured.non_finite);
 
@@ -58,10 +58,12 @@ CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& ans
     give_full_credit(result);
     return result;
   }
-  if (measured.malformed.empty())
+  const WrongValues& known = references.atlas(c).values;
+  result.unwritten = std::any_of(known.unwritten.begin(), known.unwritten.end(),
+                                 [&](const auto& values) { return measure_probe(*answer.values, values, c).passed; });
+  if (measured.malformed.empty() && !result.unwritten)
     if (const auto whole = explain_values(*answer.values, right.values, c)) add_hypothesis(result, *whole);
-  if (const auto name = recognise_values(*answer.values, references.atlas(c).values, c))
-    name_mistake(result, *name, references);
+  result.could_be = recognise_values(*answer.values, known.mistakes, c);
   if (measured.malformed.empty())
     give_partial_credit(result, partial_probe_credit(measured.wrong, measured.inputs, right.skeleton_fraction));
   return result;

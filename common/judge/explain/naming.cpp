@@ -159,15 +159,12 @@ std::optional<Candidate> recognise(const std::vector<Candidate>& ranked) {
   return ranked[0];
 }
 
-std::optional<std::string> recognise_values(const std::vector<Numbers>& yours,
-                                            const std::map<std::string, std::vector<Numbers>>& wrong_values,
-                                            const JudgedCase& c) {
-  std::optional<std::string> found;
-  for (const auto& [mistake, values] : wrong_values) {
-    if (!measure_probe(yours, values, c).passed) continue;
-    if (found) return std::nullopt;
-    found = mistake;
-  }
+std::vector<std::string> recognise_values(const std::vector<Numbers>& yours,
+                                          const std::map<std::string, std::vector<Numbers>>& wrong_values,
+                                          const JudgedCase& c) {
+  std::vector<std::string> found;
+  for (const auto& [mistake, values] : wrong_values)
+    if (measure_probe(yours, values, c).passed) found.push_back(mistake);
   return found;
 }
 

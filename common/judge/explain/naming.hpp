@@ -58,10 +58,10 @@ std::vector<Candidate> rank_mistakes(const Image& yours, const Image& reference,
 /// The first of `ranked` if it fulfils the conditions above, or nothing.
 std::optional<Candidate> recognise(const std::vector<Candidate>& ranked);
 
-/// The mistake whose numbers a probe returned, all within the tolerance; nothing if there is none or more than one.
-std::optional<std::string> recognise_values(const std::vector<Numbers>& yours,
-                                            const std::map<std::string, std::vector<Numbers>>& wrong_values,
-                                            const JudgedCase& c);
+/// The mistakes whose numbers a probe returned, all within the tolerance.
+std::vector<std::string> recognise_values(const std::vector<Numbers>& yours,
+                                          const std::map<std::string, std::vector<Numbers>>& wrong_values,
+                                          const JudgedCase& c);
 
 /// The mean over all pixels of the largest channel difference, less `dead_zone`.
 double overlaid_distance(const Image& a, const Image& b);

@@ -41,6 +41,7 @@ OrderedJson case_json(const CaseResult& result) {
           {"score", points(result.score)},
           {"max_score", points(result.max_score)},
           {"reason", result.reason},
+          {"waits_for", result.waits_for},
           {"mistake", text_or_null(result.mistake)},
           {"hint", result.hint},
           {"asked", result.asked},
@@ -53,6 +54,24 @@ OrderedJson case_json(const CaseResult& result) {
           {"output", result.output}};
 }
 
+OrderedJson causes_json(const StepResult& step) {
+  const auto names = [&](const std::vector<std::size_t>& indices) {
+    OrderedJson list = OrderedJson::array();
+    for (const std::size_t i : indices) list.push_back(step.cases[i].name);
+    return list;
+  };
+  OrderedJson causes = OrderedJson::array();
+  for (std::size_t i = 0; i < step.causes.size(); ++i) {
+    const Cause& cause = step.causes[i];
+    causes.push_back({{"kind", to_string(cause.kind)},
+                      {"functions", cause.functions},
+                      {"headline", headline(step, i)},
+                      {"cases", names(cause.shown)},
+                      {"waiting", names(cause.waiting)}});
+  }
+  return causes;
+}
+
 OrderedJson step_json(const StepResult& step) {
   OrderedJson cases = OrderedJson::array();
   for (const CaseResult& result : step.cases) cases.push_back(case_json(result));
@@ -63,6 +82,7 @@ OrderedJson step_json(const StepResult& step) {
           {"references", step.references},
           {"implementations", step.implementations},
           {"build_log", step.build_log},
+          {"causes", causes_json(step)},
           {"cases", std::move(cases)}};
 }
 

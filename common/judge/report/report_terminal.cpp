@@ -86,6 +86,19 @@ std::string group_line(const StepResult& step, const CaseGroup& group, int name_
                      group_score(group), score_width, reason);
 }
 
+std::string header(const StepResult& step, const TerminalStyle& style) {
+  const std::string score = step.max_score > 0 ? score_text(step.score, step.max_score) : "no points in this step";
+  std::string text =
+      fmt::format("{}  {}  {}, {} of {} cases passed\n", painted(printable(step.step), bold, style),
+                  printable(step.title), painted(score, bold, style), count(step, Status::passed), step.cases.size());
+  for (const auto& [of_step, who] : step.implementations)
+    text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
+  if (step.references != "stored")
+    text += painted("  compared with " + printable(step.references) + " references", dim, style) + "\n";
+  return text;
+}
+
+/// A line per case.
 std::string step_table(const StepResult& step, const TerminalStyle& style) {
   const std::vector<CaseGroup> groups = case_groups(step);
   int name_width = 9, score_width = 3;
@@ -93,40 +106,47 @@ std::string step_table(const StepResult& step, const TerminalStyle& style) {
     if (group.size() == 1) name_width = std::clamp(columns(printable(group.front()->name)), name_width, 32);
     score_width = std::max(score_width, int(group_score(group).size()));
   }
-  const std::string score = step.max_score > 0 ? score_text(step.score, step.max_score) : "no points in this step";
-  std::string text = painted(printable(step.step), bold, style) + "  " + printable(step.title) + "  " +
-                     painted(score, bold, style) + "\n";
-  for (const auto& [of_step, who] : step.implementations) {
-    text += painted("  with " + printable(of_step) + ": " + printable(who), dim, style) + "\n";
-  }
-  if (step.references != "stored")
-    text += painted("  compared with " + printable(step.references) + " references", dim, style) + "\n";
+  std::string text;
   for (const CaseGroup& group : groups) text += group_line(step, group, name_width, score_width, style);
   return text;
 }
 
-std::string explanation(const StepResult& step, const CaseGroup& group, const TerminalStyle& style) {
-  const CaseResult& first = *group.front();
-  const bool several = group.size() > 1;
-  std::string text = "\n" + mark(first.status, style) + " " +
-                     linked(painted(printable(several ? cases_words(group) : first.name), bold, style),
-                            case_anchor(step, first), style) +
-                     "  " + printable(several ? status_words(first.status) : first.title) + "\n";
-  std::vector<Remark> said = remarks(group);
-  if (several) said.insert(said.begin(), {"cases", case_names(group)});
-  for (const Remark& remark : said) {
+/// The first lines of a text, and how many are left out.
+std::string first_lines(const std::string& text, int most) {
+  std::size_t end = 0;
+  for (int line = 0; line < most && end != text.npos; ++line) end = text.find('\n', end == 0 ? 0 : end + 1);
+  if (end == text.npos || end + 1 >= text.size()) return text;
+  return text.substr(0, end + 1) + fmt::format("({} more lines in the report)\n",
+                                               std::count(text.begin() + std::ptrdiff_t(end) + 1, text.end(), '\n'));
+}
+
+std::string explanation(const StepResult& step, std::size_t index, const TerminalStyle& style) {
+  constexpr int most_lines = 14;  // of a table, so that the first cause fits a terminal of 40 rows
+  const Cause& cause = step.causes[index];
+  const CaseResult& shown = shown_case(step, cause);
+  std::string text = "\n" + mark(shown.status, style) + " " +
+                     linked(painted(printable(headline(step, index)), bold, style), case_anchor(step, shown), style) +
+                     "\n";
+  for (const Remark& remark : remarks(step, cause)) {
     const bool verbatim = remark.label == "rerun";  // never wrap a command, so that it can be copied
     const std::string words = printable(remark.text);
     text += painted(padded("  " + remark.label, label_width), dim, style) +
             (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";
   }
-  if (!first.table.empty()) text += indented(printable(first.table, Layout::keep_lines), "    ");
-  if (style.heat_maps && first.evidence) text += indented(ascii_heat_map(first.evidence->over), "    ");
-  if (const std::string output = output_of(group); !output.empty()) {
+  if (!shown.table.empty() && !shown.unwritten)
+    text += indented(first_lines(printable(shown.table, Layout::keep_lines), most_lines), "    ");
+  if (style.heat_maps && shown.evidence) text += indented(ascii_heat_map(shown.evidence->over), "    ");
+  if (!shown.output.empty()) {
     text += painted("  program output:", dim, style) + "\n";
-    text += indented(printable(output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+    text += indented(printable(shown.output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
   }
   return text;
+}
+
+std::string compiler_output(const StepResult& step, const TerminalStyle& style) {
+  if (step.build_log.empty()) return {};
+  return painted("  compiler output:", dim, style) + "\n" +
+         indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
 }
 
 }  // namespace
@@ -151,13 +171,20 @@ TerminalStyle terminal_style(int descriptor) {
 }
 
 std::string terminal_report(const StepResult& step, const TerminalStyle& style) {
-  std::string text = step_table(step, style);
-  if (!step.build_log.empty()) {
-    text += painted("  compiler output:", dim, style) + "\n";
-    text += indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
-  }
-  for (const CaseGroup& group : case_groups(step))
-    if (group.front()->status != Status::passed) text += explanation(step, group, style);
+  std::string text = header(step, style);
+  if (style.table) text += step_table(step, style);
+  text += compiler_output(step, style);
+  for (std::size_t i = 0; i < step.causes.size(); ++i) text += explanation(step, i, style);
+  return text;
+}
+
+std::string first_cause_report(const StepResult& step, const TerminalStyle& style) {
+  constexpr std::size_t most = 5;
+  std::string text = header(step, style) + compiler_output(step, style);
+  if (step.causes.empty()) return text;
+  text += explanation(step, 0, style) + (step.causes.size() > 1 ? "\n" : "");
+  for (std::size_t i = 1; i < std::min(step.causes.size(), most); ++i) text += printable(headline(step, i)) + "\n";
+  if (step.causes.size() > most) text += fmt::format("and {} other things to correct\n", step.causes.size() - most);
   return text;
 }
 

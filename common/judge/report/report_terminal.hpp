@@ -1,4 +1,4 @@
-// The terminal report: a line per case, then an explanation of each failure.
+// The terminal report: what to correct first, and what waits for it.
 #pragma once
 
 #include <string>
@@ -13,6 +13,7 @@ struct TerminalStyle {
   bool colour = false;     ///< ANSI colours
   bool unicode = false;    ///< characters beyond ASCII
   int width = 100;         ///< columns, at least 40
+  bool table = false;      ///< a line per case as well
   bool heat_maps = false;  ///< show a map of each picture's failing pixels
   std::string report_url;  ///< the HTML report that case names link to (OSC 8); empty: no links
 };
@@ -28,9 +29,12 @@ bool can_link(int descriptor);
 /// All steps with their failures, then what was skipped, then the total. All untrusted text is made printable.
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style);
 
-/// One step: a line per case with status, name, score and reason; then its failures. Cases without an answer for the
-/// same reason are reported together.
+/// One step: its points, then what to correct, in order: each cause with the case that shows it best and the names of
+/// those that wait for it. With style.table also a line per case with status, name, score and reason.
 std::string terminal_report(const StepResult& step, const TerminalStyle& style);
+
+/// The same for one step, with the first cause only, and the headlines of the others.
+std::string first_cause_report(const StepResult& step, const TerminalStyle& style);
 
 /// The red channel, 0..1, of an error image (a mask of failing pixels, or a FLIP map) as framed text, `columns` wide. A
 /// darker character is a larger mean over the cell, relative to the largest mean; even one failing pixel shows as a

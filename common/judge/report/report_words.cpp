@@ -58,9 +58,13 @@ std::vector<Remark> remarks(const CaseResult& result) {
     mistake = mistake.empty() ? *result.mistake_sentence : *result.mistake_sentence + " (" + mistake + ")";
   }
   std::vector<Remark> all = {
-      {"expected", result.asked}, {"found", result.reason},
-      {"looks like", mistake},    {"where", result.worst ? worst_words(*result.worst) : ""},
-      {"credit", result.credit},  {"try next", result.hint},
+      {"expected", result.asked},
+      {"found", result.reason},
+      {"waits for", result.waits_for},
+      {"looks like", mistake},
+      {"where", result.worst ? worst_words(*result.worst) : ""},
+      {"credit", result.credit},
+      {"try next", result.hint},
       {"rerun", result.command},
   };
   std::erase_if(all, [](const Remark& remark) { return remark.text.empty(); });
@@ -93,6 +97,80 @@ std::vector<Remark> remarks(const CaseGroup& group) {
     });
   }
   return common;
+}
+
+const CaseResult& shown_case(const StepResult& step, const Cause& cause) {
+  return step.cases[(cause.shown.empty() ? cause.waiting : cause.shown).front()];
+}
+
+std::string some_names(const std::vector<std::string>& names, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return names.size() > most ? fmt::format("{} and {} more", text, names.size() - most) : text;
+}
+
+std::string headline(const StepResult& step, std::size_t index) {
+  const Cause& cause = step.causes[index];
+  const char* const verb = index == 0 ? "Begin with" : "Then";
+  const std::size_t count = cause.shown.size() + cause.waiting.size();
+  const CaseResult& shown = shown_case(step, cause);
+  switch (cause.kind) {
+    case Cause::Kind::no_answer:
+      return count == 1 ? fmt::format("{} {}: {}", verb, shown.name, status_words(shown.status))
+                        : fmt::format("{} these {} cases: {}", verb, count, status_words(shown.status));
+    case Cause::Kind::function: {
+      const std::string need = fmt::format("{} failing {} it", count, count == 1 ? "case needs" : "cases need");
+      return cause.wrong == cause.inputs
+                 ? fmt::format("{} {}: wrong for every input; {}", verb, cause.functions[0], need)
+                 : fmt::format("{} {}: wrong for {} of {} inputs; {}", verb, cause.functions[0], cause.wrong,
+                               cause.inputs, need);
+    }
+    case Cause::Kind::unwritten:
+      return fmt::format("{} {}: not written yet; {} failing {} it{}", verb, cause.functions[0], count,
+                         count == 1 ? "case needs" : "cases need",
+                         cause.functions.size() > 1 ? " or other functions that are not written yet" : "");
+    case Cause::Kind::picture:
+      return fmt::format("{} {}: all probes of the functions that it needs pass", verb, shown.name);
+    case Cause::Kind::choice:
+      return fmt::format("{} {}: a choice in choices.txt", verb, shown.name);
+  }
+  return {};
+}
+
+std::vector<Remark> remarks(const StepResult& step, const Cause& cause) {
+  const auto names = [&](auto begin, auto end) {
+    std::vector<std::string> list;
+    for (auto i = begin; i != end; ++i) list.push_back(step.cases[*i].name);
+    return list;
+  };
+  if (cause.kind == Cause::Kind::no_answer) {
+    CaseGroup group;
+    for (const std::size_t i : cause.shown) group.push_back(&step.cases[i]);
+    std::vector<Remark> all = remarks(group);
+    if (group.size() > 1) all.insert(all.begin(), {"cases", case_names(group)});
+    return all;
+  }
+  std::vector<Remark> all = remarks(shown_case(step, cause));
+  const auto add = [&](const char* label, const std::string& text) {
+    if (!text.empty()) all.push_back({label, text});
+  };
+  if (cause.kind == Cause::Kind::picture) {
+    add("may be in", some_names(cause.functions));
+    add("also wrong", some_names(names(cause.waiting.begin(), cause.waiting.end())));
+    return all;
+  }
+  if (cause.kind == Cause::Kind::unwritten && cause.functions.size() > 1)
+    add("also to do", some_names({cause.functions.begin() + 1, cause.functions.end()}, 30));
+  if (cause.shown.size() > 1) add("also wrong", some_names(names(cause.shown.begin() + 1, cause.shown.end())));
+  auto waiting = cause.waiting.begin();
+  if (cause.shown.empty() && waiting != cause.waiting.end()) ++waiting;  // it is the case that is shown
+  if (cause.kind == Cause::Kind::function && waiting != cause.waiting.end())
+    if (const CaseResult& picture = step.cases[*waiting]; picture.figures.contains("share")) {
+      add("seen in", fmt::format("{} ({})", picture.name, picture.command));
+      ++waiting;
+    }
+  add("waiting", some_names(names(waiting, cause.waiting.end())));
+  return all;
 }
 
 std::string cases_words(const CaseGroup& group) {

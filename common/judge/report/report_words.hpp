@@ -23,7 +23,7 @@ std::string worst_words(const Worst& worst);
 
 /// One part of a verdict.
 struct Remark {
-  std::string label;  ///< "expected", "found", "looks like", "where", "credit", "try next", "rerun"
+  std::string label;  ///< "expected", "found", "looks like", "where", "credit", "try next", "rerun", "waits for"
   std::string text;   ///< not escaped
 };
 
@@ -38,6 +38,19 @@ std::vector<CaseGroup> case_groups(const StepResult& step);
 /// The remarks that all cases of a group have in common, in order; for a single case all remarks. "rerun" is always
 /// that of the first case.
 std::vector<Remark> remarks(const CaseGroup& group);
+
+/// What to correct, the `index`-th of a step: "Begin with pcf: wrong for 4 of 9 inputs; 12 failing cases need it".
+std::string headline(const StepResult& step, std::size_t index);
+
+/// What is said of a cause: the remarks of the case that shows it best, then "also wrong" (its other probes, or
+/// pictures of the same kind), "seen in" (a picture), "may be in" (functions without a probe), "waiting" (other cases).
+std::vector<Remark> remarks(const StepResult& step, const Cause& cause);
+
+/// The case that shows a cause best.
+const CaseResult& shown_case(const StepResult& step, const Cause& cause);
+
+/// "sphere, teapot and 29 more": the first `most` names.
+std::string some_names(const std::vector<std::string>& names, std::size_t most = 12);
 
 /// "41 cases"
 std::string cases_words(const CaseGroup& group);

@@ -175,6 +175,13 @@ std::map<std::string, Probe> transform_probes() {
          return numbers_of(
              perspective(number(in, "fov_y"), number(in, "aspect"), number(in, "near"), number(in, "far")));
        }},
+      {"orthographic_refuses",
+       [](ProbeContext&, const Arguments& in) {
+         return refuses([&] {
+           orthographic(number(in, "left"), number(in, "right"), number(in, "bottom"), number(in, "top"),
+                        number(in, "near"), number(in, "far"));
+         });
+       }},
       {"perspective_refuses",
        [](ProbeContext&, const Arguments& in) {
          return refuses(

@@ -9,23 +9,30 @@ namespace atelier {
 
 namespace {
 
+const Defines one_light_of_each_type{
+    {"POINT_LIGHTS", "1"}, {"SPOT_LIGHTS", "1"}, {"DIRECTIONAL_LIGHTS", "1"}, {"SPECULAR", "1"}};
+
 /// The student's GLSL with one light of each type, highlights, and the given variants of power and normalisation.
-std::string glsl(int normalisation = 0, int power = 0) {
-  return text_including("02-blinn-phong/blinn_phong.glsl", {{"POINT_LIGHTS", "1"},
-                                                            {"SPOT_LIGHTS", "1"},
-                                                            {"DIRECTIONAL_LIGHTS", "1"},
-                                                            {"SPECULAR", "1"},
-                                                            {"NORMALISATION", fmt::to_string(normalisation)},
-                                                            {"POWER", fmt::to_string(power)}});
+std::string glsl(int normalisation = 0, int power = 0, const std::string& before = "") {
+  Defines defines{{"NORMALISATION", fmt::to_string(normalisation)}, {"POWER", fmt::to_string(power)}};
+  defines.insert(one_light_of_each_type.begin(), one_light_of_each_type.end());
+  return text_including("02-blinn-phong/blinn_phong.glsl", defines, before);
 }
 
-/// A grey ramp with a mark in its upper left corner, as a picture of the asked size.
+/// For a probe with the argument u_ambient: the uniform gets another name.
+std::string ambient_as_argument() {
+  Defines defines = one_light_of_each_type;
+  defines["u_ambient"] = "u_other_ambient";
+  return text_including("02-blinn-phong/given/lights.glsl", defines) + "#undef u_ambient\n";
+}
+
+/// A grey ramp with a mark in its upper left corner, as a picture of the asked size; alpha from 0.5 to 1.
 Image test_picture(int width, int height) {
   Image image(width, height);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const float value = float(y * width + x + 1) / float(width * height);
-      image.at(x, y) = {value, 1 - value, x == 0 && y == 0 ? 1.0f : 0.0f, 1};
+      image.at(x, y) = {value, 1 - value, x == 0 && y == 0 ? 1.0f : 0.0f, 0.5f + 0.5f * value};
     }
   return image;
 }
@@ -52,8 +59,8 @@ Filter filter_of(int code) {
   return code == 0 ? Filter::nearest : code == 1 ? Filter::linear : Filter::mipmap;
 }
 
-/// What OpenGL remembers of a texture of 4x2 pixels: filters, wraps, highest level, size and format of level 0, and its
-/// lower left texel.
+/// What OpenGL remembers of a texture of 4x2 pixels: filters, wraps, highest level, size and format of level 0, its
+/// lower left texel, and its upper right one.
 Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   const Filter filter = filter_of(in.integer("filter"));
@@ -70,7 +77,7 @@ Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   std::vector<Rgba> texels(std::size_t(std::max(8.0, out[5] * out[6])));
   gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);
-  out.insert(out.end(), {texels[0].r, texels[0].g, texels[0].b});
+  for (const Rgba& texel : {texels[0], texels[7]}) out.insert(out.end(), {texel.r, texel.g, texel.b, texel.a});
   return out;
 }
 
@@ -107,11 +114,17 @@ std::map<std::string, Probe> blinn_phong_probes() {
        }},
       {"balance", probe_balance},
       {"power_table", probe_power_table},
+      {"power_table_refuses",
+       [](ProbeContext&, const Arguments& in) {
+         return refuses([&] { blinn_phong::power_table(float(in.number("exponent")), in.integer("size")); });
+       }},
       {"attenuation", shader_probe(glsl(), "vec4(attenuation(distance_to_light, coefficients))", 1)},
       {"spot_cone", shader_probe(glsl(), "vec4(spot_cone(to_light, axis, cos_inner, cos_outer))", 1)},
       {"reflected",
        shader_probe(glsl(), "vec4(reflected(normal, to_eye, to_light, Material(diffuse, specular, exponent)), 0.0)",
                     3)},
+      {"shade", shader_probe(glsl(0, 0, ambient_as_argument()),
+                             "vec4(shade(position, normal, eye, Material(diffuse, specular, exponent)), 0.0)", 3)},
       {"highlight", shader_probe(glsl(0, 0), "vec4(highlight(normal, half_vector, exponent))", 1)},
       {"highlight_stable", shader_probe(glsl(0, 1), "vec4(highlight(normal, half_vector, exponent))", 1)},
       {"normalisation_none", shader_probe(glsl(0), "vec4(specular_normalisation(exponent))", 1)},

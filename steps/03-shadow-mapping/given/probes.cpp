@@ -79,9 +79,9 @@ Numbers probe_make_shadow_maps(ProbeContext& context, const Arguments& in) {
   append(out, texture_parameters(gl, GL_TEXTURE_2D_ARRAY,
                                  {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T,
                                   GL_TEXTURE_COMPARE_MODE, GL_TEXTURE_COMPARE_FUNC}));
-  std::array<GLint, 4> border{};
-  gl.GetTexParameteriv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, border.data());
-  out.push_back(border[0] > 0);
+  std::array<GLfloat, 4> border{};
+  gl.GetTexParameterfv(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_BORDER_COLOR, border.data());
+  out.push_back(border[0]);
   append(out, level_parameters(gl, GL_TEXTURE_2D_ARRAY,
                                {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_DEPTH, GL_TEXTURE_INTERNAL_FORMAT}));
   gl.BindTexture(GL_TEXTURE_2D_ARRAY, 0);
@@ -148,6 +148,8 @@ std::map<std::string, Probe> shadow_mapping_probes() {
       {"compare_depth", map_probe({}, "compare_depth(coordinate, int(layer))")},
       {"compare_depth_bilinear", map_probe(compare, "compare_depth(coordinate, int(layer))")},
       {"pcf", map_probe(pcf3, "pcf(coordinate, slope, int(layer))")},
+      {"pcf_even", map_probe({{"PCF", "2"}}, "pcf(coordinate, slope, int(layer))")},
+      {"pcf_wide", map_probe({{"PCF", "5"}}, "pcf(coordinate, slope, int(layer))")},
       {"pcf_bilinear", map_probe(pcf3_compare, "pcf(coordinate, slope, int(layer))")},
       {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light + ", coordinate, slope, search)")},
       {"pcss", map_probe(pcss, "pcss(" + plain_light + ", coordinate, slope, receiver)")},

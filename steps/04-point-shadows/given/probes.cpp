@@ -54,7 +54,7 @@ Numbers probe_make_cube_map(ProbeContext& context, const Arguments& in) {
   const CubeMap cube = make_cube_map(gl, in.integer("resolution"), depth_format_of(in), in.number("compare") > 0.5);
   const GlTexture texture(gl, cube.texture);
   const GlFramebuffer framebuffer(gl, cube.framebuffer);
-  if (!texture || !framebuffer) return Numbers(14, 0);
+  if (!texture || !framebuffer) return Numbers(16, 0);
   gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.texture);
   Numbers out;
   append(out, texture_parameters(gl, GL_TEXTURE_CUBE_MAP,
@@ -70,8 +70,10 @@ Numbers probe_make_cube_map(ProbeContext& context, const Arguments& in) {
                                          &layered);
   out.push_back(layered);
   out.push_back(integer_of(gl, GL_DRAW_BUFFER));
+  out.push_back(integer_of(gl, GL_READ_BUFFER));
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   out.push_back(gl.IsEnabled(GL_TEXTURE_CUBE_MAP_SEAMLESS));
+  out.push_back(cube.resolution);
   return out;
 }
 
@@ -180,6 +182,10 @@ std::map<std::string, Probe> point_shadow_probes() {
       {"face_view",
        [](ProbeContext&, const Arguments& in) {
          return numbers_of(face_view(glm::vec3(in.vec3("position")), in.integer("face")));
+       }},
+      {"face_view_refuses",
+       [](ProbeContext&, const Arguments& in) {
+         return refuses([&] { face_view(glm::vec3(0), in.integer("face")); });
        }},
       {"face_projection",
        [](ProbeContext&, const Arguments& in) {

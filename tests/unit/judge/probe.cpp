@@ -68,7 +68,8 @@ StepReferences references_of(const JudgedCase& c) {
   StepReferences references("01-transforms");
   CaseReferences right;
   right.values = c.expected;
-  references.add(c.ask.name, right, {{}, {{"no-square", {{1, 1}, {2, 2}, {3, 3}, {4, 4}}}}});
+  references.add(c.ask.name, right,
+                 {{}, {.mistakes = {{"no-square", {{1, 1}, {2, 2}, {3, 3}, {4, 4}}}}, .unwritten = {}}});
   return references;
 }
 
@@ -112,7 +113,7 @@ TEST_CASE("probes: every input within the tolerance passes; one that is not fail
     CHECK_FALSE(result.evidence.has_value());
   }
   const CaseResult named = judge_case(c, answer_of({{1, 1}, {2, 2}, {3, 3}, {4, 4}}), references);
-  CHECK(named.mistake == "no-square");
+  CHECK(named.could_be == std::vector<std::string>{"no-square"});
   CHECK(judge_case(c, answer_of(Image(8, 8)), references).status == Status::missing);
 }
 
@@ -161,12 +162,34 @@ TEST_CASE("numbers are a matrix if every answer is one") {
 }
 
 TEST_CASE("an entry's row and column are those of the handouts and glm") {
-  CHECK(place_of_number(12, 16, 4) == "row 1, column 4 (m[3][0])");
-  CHECK(place_of_number(3, 16, 4) == "row 4, column 1 (m[0][3])");
-  CHECK(place_of_number(5, 9, 3) == "row 3, column 2 (m[1][2])");
-  CHECK(place_of_number(16, 48, 4) == "row 1, column 1 (m[0][0]) of matrix 2 of 3");
-  CHECK(place_of_number(1, 3, 0) == "number 2 of 3");
-  CHECK(place_of_number(0, 1, 0).empty());
+  const auto place = [](int component, std::size_t count) {
+    return place_of_number({.input = 0, .component = component}, {Numbers(count)}, JudgedCase());
+  };
+  CHECK(place(12, 16) == "row 1, column 4 (m[3][0])");
+  CHECK(place(3, 16) == "row 4, column 1 (m[0][3])");
+  CHECK(place(5, 9) == "row 3, column 2 (m[1][2])");
+  CHECK(place(1, 3) == "number 2 of 3");
+  CHECK(place(0, 1).empty());
+  const std::vector<Numbers> matrices{
+      {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+  CHECK(place_of_number({.input = 0, .component = 16}, matrices, JudgedCase()) ==
+        "row 1, column 1 (m[0][0]) of matrix 2 of 2");
+}
+
+TEST_CASE("numbers with names are called by them, enums of OpenGL too") {
+  JudgedCase c = probe_case();
+  c.tolerance = {};
+  c.numbers = {{.name = "eye.x"}, {.name = "filter", .is_enum = true}};
+  c.expected = {{1, 9728}, {2, 9729}, {3, 9729}, {4, 0}};
+  StepReferences references("01-transforms");
+  CaseReferences right;
+  right.values = c.expected;
+  references.add(c.ask.name, right);
+  const CaseResult result =
+      judge_case(c, answer_of(std::vector<Numbers>{{1, 9729}, {2.00000001, 9729}, {3, 4660}, {4, 0}}), references);
+  CHECK(mentions(result.reason, {"filter is GL_LINEAR instead of GL_NEAREST"}));
+  CHECK(mentions(result.table, {"  eye.x: 2.00000001 instead of 2\n", "  filter: 0x1234 instead of GL_LINEAR\n"}));
+  CHECK(result.table.find("eye.x: 1") == std::string::npos);
 }
 
 TEST_CASE("a matrix is shown by its rows, without signed zeros and without noise") {

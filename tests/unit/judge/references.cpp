@@ -73,7 +73,7 @@ TEST_CASE("a new reference is read back, with its atlas") {
   CHECK(judge_case(c, answer_of(draw({})), references).status == Status::passed);
   const CaseResult wrong = judge_case(c, good_material().mistakes.at("no-shadow"), references);
   CHECK(wrong.status == Status::failed);
-  CHECK(wrong.mistake == "no-shadow");
+  CHECK(wrong.could_be == std::vector<std::string>{"no-shadow"});
 }
 
 TEST_CASE("invalid references are refused, and nothing is written") {
@@ -249,7 +249,7 @@ TEST_CASE("probes: numbers by hand or by the solution, and the answers of mistak
     CHECK(made.skeleton_fraction == Approx(0.5));
     const StepReferences references = read_from(folder.path());
     CHECK(references.of(c).values == *material.solution.values);
-    CHECK(judge_case(c, material.mistakes["doubles"], references).mistake == "doubles");
+    CHECK(judge_case(c, material.mistakes["doubles"], references).could_be == std::vector<std::string>{"doubles"});
     fs::remove(folder.path() / "square.values.json");
     CHECK(mentions(error_of([&] { read_from(folder.path()).of(c); }), {"square.values.json", "missing"}));
   }

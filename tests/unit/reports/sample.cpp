@@ -92,6 +92,26 @@ CaseResult failed_probe() {
   return c;
 }
 
+namespace {
+
+/// One cause for each failing case, but one for all without an answer for the same reason.
+void add_causes(StepResult& step) {
+  for (std::size_t i = 0; i < step.cases.size(); ++i) {
+    const CaseResult& result = step.cases[i];
+    if (result.status == Status::passed) continue;
+    const bool no_answer = result.status == Status::missing || result.status == Status::build_failed;
+    const auto same = std::find_if(step.causes.begin(), step.causes.end(), [&](const Cause& cause) {
+      return no_answer && step.cases[cause.shown.front()].reason == result.reason;
+    });
+    if (same != step.causes.end())
+      same->shown.push_back(i);
+    else
+      step.causes.push_back({.kind = no_answer ? Cause::Kind::no_answer : Cause::Kind::picture, .shown = {i}});
+  }
+}
+
+}  // namespace
+
 SubmissionResult sample(int side) {
   StepResult step{.step = "02-blinn-phong",
                   .title = "Blinn-Phong shading",
@@ -109,6 +129,7 @@ SubmissionResult sample(int side) {
   add("copper", "Copper", Status::timeout, "10 seconds are allowed for a case", "");
   add("gamma", "sRGB encoding", Status::build_failed, "blinn_phong.glsl did not compile", "");
   step.score = 2.45, step.max_score = 9;
+  add_causes(step);
   StepResult other{
       .step = "01-transforms", .title = "Transforms", .score = 2, .max_score = 2, .cases = {passed_picture(side)}};
   return {.submission = "ada-lovelace",
@@ -132,6 +153,7 @@ SubmissionResult unbuilt_sample(int cases) {
     c.command = "./atelier check 02 --case " + c.name;
     step.cases.push_back(std::move(c));
   }
+  add_causes(step);
   return {.submission = "ada-lovelace",
           .max_score = step.max_score,
           .steps = {step},

@@ -45,7 +45,7 @@ class Variable {
 
 TEST_CASE("the table has one line per case, within the width") {
   for (int width : {40, 60, 100, 200}) {
-    const TerminalStyle style{.width = width};
+    const TerminalStyle style{.width = width, .table = true};
     const std::vector<std::string> lines = lines_of(terminal_report(test::sample().steps[1], style));
     INFO(width);
     CHECK(lines[3].starts_with("  + diffuse"));
@@ -62,7 +62,7 @@ TEST_CASE("the table has one line per case, within the width") {
 TEST_CASE("a failure is explained in order, a pass is not") {
   const std::string text = terminal_report(test::sample(), {});
   std::size_t last = 0;
-  for (const char* words : {"x highlight  The highlight", "expected ", "found ", "looks like ", "(no-specular)",
+  for (const char* words : {"x Begin with highlight: all probes", "expected ", "found ", "looks like ", "(no-specular)",
                             "where ", "try next ", "rerun ", "./atelier check 02 --case highlight"}) {
     INFO(words);
     const std::size_t at = text.find(words, last);
@@ -74,8 +74,8 @@ TEST_CASE("a failure is explained in order, a pass is not") {
 }
 
 TEST_CASE("equal failures are explained once") {
-  const std::string text = terminal_report(test::unbuilt_sample(41), {});
-  CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x 41 cases  build failed",
+  const std::string text = terminal_report(test::unbuilt_sample(41), {.table = true});
+  CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x Begin with these 41 cases: build failed",
                               "cases       case-0, case-1,", "case-40", "Fix the first compiler",
                               "skipped: ../x leads out", "0 / 82 points, 0 of 41 cases passed"}));
   const auto times = [&](std::string_view words) {
@@ -103,7 +103,7 @@ TEST_CASE("without colour there is no escape sequence, with it each ends") {
 TEST_CASE("links lead to the place of a case in the HTML report") {
   const std::string text = terminal_report(test::sample(), {.report_url = "file:///out/report.html"});
   CHECK(
-      test::mentions(text, {"\x1b]8;;file:///out/report.html#02-blinn-phong.highlight\x1b\\highlight\x1b]8;;\x1b\\"}));
+      test::mentions(text, {"\x1b]8;;file:///out/report.html#02-blinn-phong.highlight\x1b\\Begin with highlight: all probes of the functions that it needs pass\x1b]8;;\x1b\\"}));
 }
 
 TEST_CASE("hostile text is printed with escapes") {
