@@ -168,6 +168,24 @@ std::optional<TokenRange> operand_behind(const std::vector<Token>& tokens, std::
   return TokenRange{at + 1, end};
 }
 
+bool is_template_bracket(const std::vector<Token>& tokens, std::size_t at) {
+  const auto may_be_inside = [&](const Token& token) {
+    return token.kind != Token::Kind::symbol || token.is("::") || token.is(",") || token.is("&") || token.is("*");
+  };
+  const auto follows_a_name = [&](std::size_t open) {
+    return open > 0 && tokens[open - 1].kind == Token::Kind::identifier && tokens[open - 1].end() == tokens[open].begin;
+  };
+  if (tokens[at].is("<")) {
+    std::size_t i = at + 1;
+    while (i < tokens.size() && may_be_inside(tokens[i])) ++i;
+    return i < tokens.size() && tokens[i].is(">") && follows_a_name(at);
+  }
+  if (!tokens[at].is(">")) return false;
+  std::size_t i = at;
+  while (i > 0 && may_be_inside(tokens[i - 1])) --i;
+  return i > 0 && tokens[i - 1].is("<") && follows_a_name(i - 1);
+}
+
 std::vector<TokenRange> arguments_of(const std::vector<Token>& tokens, std::size_t open) {
   std::vector<TokenRange> arguments;
   const auto close = closing_of(tokens, open);

@@ -38,6 +38,10 @@ std::optional<TokenRange> operand_behind(const std::vector<Token>& tokens, std::
 /// Whether the symbol at `at` (+ - * &) stands before its only operand.
 bool is_unary(const std::vector<Token>& tokens, std::size_t at);
 
+/// Whether the '<' or '>' at `at` encloses arguments of a template, as in std::vector<float>: what is between the two
+/// are names, commas, '::', '&', '*' and numbers, and no space stands before the '<'.
+bool is_template_bracket(const std::vector<Token>& tokens, std::size_t at);
+
 /// The arguments of the call whose opening bracket is at `open`.
 std::vector<TokenRange> arguments_of(const std::vector<Token>& tokens, std::size_t open);
 

@@ -109,6 +109,7 @@ class MutationFinder : EditFinder {
         if (token.is("-")) replace(i, "", "sign");
         return;
       }
+      if (is_template_bracket(tokens(), i)) return;
       if (token.is("!")) replace(i, "", "negation");
       if (const auto other = partner_of(exchanged_operators, token.text)) replace(i, *other, "operator");
       if (const auto other = partner_of(turned_comparisons, token.text)) replace(i, *other, "comparison");

@@ -48,6 +48,7 @@ struct ReferenceRow {
 struct Drawn {
   std::vector<Answer> solution, skeleton, truths;
   std::map<std::string, std::vector<Answer>> mistakes, without;
+  std::map<std::string, std::vector<Answer>> spellings;  ///< of mistakes, to probes; the answers to pictures are empty
 };
 
 std::vector<Answer> draw(const Workshop& workshop, const Version& version, const std::vector<JudgedCase>& cases) {
@@ -61,6 +62,27 @@ void require_answer(const std::string& mistake, const std::vector<Answer>& answe
   const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
   if (!answers.empty() && std::none_of(answers.begin(), answers.end(), is_normal))
     throw Error(fmt::format("mistake '{}' does not run: {}", mistake, answers.front().error));
+}
+
+/// The answers of second spellings to the probes.
+void draw_spellings(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
+                    const std::vector<JudgedCase>& cases, Drawn& drawn) {
+  std::vector<JudgedCase> probes;
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < cases.size(); ++i)
+    if (cases[i].profile == judge::Profile::values) probes.push_back(cases[i]), places.push_back(i);
+  std::vector<const judge::Mistake*> spelled;
+  for (const judge::Mistake& mistake : mistakes)
+    if (mistake.spelling && !probes.empty()) {
+      spelled.push_back(&mistake);
+      drawn.spellings[mistake.name].resize(cases.size());
+    }
+  for_each_parallel(spelled.size(), worker_threads(), [&](std::size_t i) {
+    const Version version = workshop.patched("spelling-" + spelled[i]->name, *spelled[i]->spelling);
+    std::vector<Answer> answers = draw(workshop, version, probes);
+    for (std::size_t k = 0; k < places.size(); ++k)
+      drawn.spellings.at(spelled[i]->name)[places[k]] = std::move(answers[k]);
+  });
 }
 
 /// `functions`: all that a student writes.
@@ -80,6 +102,7 @@ Drawn draw_all(const Workshop& workshop, const std::vector<judge::Mistake>& mist
     drawings.push_back({[&] { return workshop.without(function); }, drawn.without[function]});
   for_each_parallel(drawings.size(), worker_threads(),
                     [&](std::size_t i) { drawings[i].answers = draw(workshop, drawings[i].make(), cases); });
+  draw_spellings(workshop, mistakes, cases, drawn);
   drawn.truths = judge::ask_truths(workshop.settings(workshop.solution()), cases);
   if (whole_step)
     for (const auto& [name, answers] : drawn.mistakes) require_answer(name, answers);
@@ -90,6 +113,7 @@ judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, cons
   judge::ReferenceMaterial material{
       .solution = drawn.solution[index], .truth = drawn.truths[index], .skeleton = drawn.skeleton[index]};
   for (const auto& [name, answers] : drawn.mistakes) material.mistakes[name] = answers[index];
+  for (const auto& [name, answers] : drawn.spellings) material.spellings[name] = answers[index];
   for (const auto& [name, answers] : drawn.without) material.without[name] = answers[index];
   for (const char* key : {"driver", "cpu"}) material.environment[key] = environment.at(key);
   return material;

@@ -31,7 +31,7 @@ class RewritingFinder : EditFinder {
 
   void turn_round(std::size_t i) {
     const Token& token = tokens()[i];
-    if (token.kind != Token::Kind::symbol || is_unary(tokens(), i)) return;
+    if (token.kind != Token::Kind::symbol || is_unary(tokens(), i) || is_template_bracket(tokens(), i)) return;
     const auto left = operand_before(tokens(), i), right = operand_behind(tokens(), i);
     if (!left || !right || at(left->begin, "-")) return;
     const std::string a = text(*left), b = text(*right);

@@ -12,8 +12,8 @@ namespace {
 
 /// The topics of tests/steps/ with tests of single steps, the fastest first. References are not drawn again: that takes
 /// as long as all others together, and `solutions` and `truth` judge them.
-constexpr const char* topics[] = {"skeletons", "handouts", "required", "solutions", "audit",
-                                  "tiers",     "blind",    "measure",  "truth"};
+constexpr const char* topics[] = {"skeletons", "handouts", "required", "solutions",  "audit",  "tiers",
+                                  "blind",     "measure",  "truth",    "rewritings", "mutants"};
 
 /// Prints the result of a run and counts its tests: by Catch2's summary, or as one test.
 Tally report(const char* topic, const Finished& run) {

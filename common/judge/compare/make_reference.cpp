@@ -230,6 +230,13 @@ void write_picture(const std::filesystem::path& folder, const JudgedCase& c, con
   sidecar.sha256 = sha256(read_file(file));
   sidecar.atlas = write_atlas(folder, c, material, correct, made);
   write_sidecar(sidecar_path(file), sidecar);
+  if (!c.choice) return;
+  WrongValues wrong;
+  for (const auto& [mistake, answer] : material.mistakes)
+    if (comparable(c, answer, correct) && made.margins.at(mistake) >= 1)
+      wrong.mistakes[mistake] = {outcome(choice_of(c, answer, correct), answer.counts, *c.choice)};
+  write_wrong_values(wrong_values_path(folder, c.ask.name), wrong);
+  made.written.push_back(wrong_values_path(folder, c.ask.name));
 }
 
 void write_values(const std::filesystem::path& folder, const JudgedCase& c, const ReferenceMaterial& material,
@@ -243,6 +250,11 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
   for (const auto& [mistake, answer] : material.mistakes)
     if (answer.ended == Answer::Ended::normally && answer.values && made.margins.at(mistake) >= 1)
       wrong.mistakes[mistake] = *answer.values;
+  for (const auto& [mistake, answer] : material.spellings) {
+    const bool seen = margin_of(c, answer, correct) >= 1;
+    if (seen && (answer.ended != Answer::Ended::normally || !answer.values)) continue;
+    wrong.mistakes[other_form(mistake)] = seen ? *answer.values : std::vector<Numbers>();
+  }
   const auto add_unwritten = [&](const Answer& answer) {
     if (answer.ended == Answer::Ended::normally && answer.values && margin_of(c, answer, correct) >= 1 &&
         std::find(wrong.unwritten.begin(), wrong.unwritten.end(), *answer.values) == wrong.unwritten.end())

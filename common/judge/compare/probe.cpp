@@ -190,13 +190,13 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
                         : times[i] <= 1        ? fmt::format("right, at {:.2g} of the tolerance", times[i])
                         : std::isinf(times[i]) ? std::string("wrong")
                                                : fmt::format("wrong, {:.3g} times the tolerance", times[i]));
-    for (const auto& [name, numbers] : c.ask.inputs[i].values) text += line(name, numbers, matrix_side({numbers}), 0);
     if (!c.numbers.empty()) {
       text += wrong_numbers(int(i), yours[i], expected[i], c);
-      continue;
+    } else {
+      text += line("expected", expected[i], side, noise);
+      if (times[i] > 0) text += line("yours", yours[i], side, noise);
     }
-    text += line("expected", expected[i], side, noise);
-    if (times[i] > 0) text += line("yours", yours[i], side, noise);
+    for (const auto& [name, numbers] : c.ask.inputs[i].values) text += line(name, numbers, matrix_side({numbers}), 0);
   }
   return text;
 }

@@ -147,7 +147,7 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
 CaseAtlas StepReferences::load_atlas(const JudgedCase& c) const {
   CaseAtlas atlas;
   if (folder_.empty()) return atlas;
-  if (c.profile == Profile::values) {
+  if (c.profile == Profile::values || c.choice) {
     const std::filesystem::path file = wrong_values_path(folder_, c.ask.name);
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) atlas.values = read_wrong_values(file);

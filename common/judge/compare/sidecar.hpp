@@ -6,7 +6,7 @@
 //   sphere.atlas.png       the pictures of known mistakes, encoded, at half size, one below the other in the order of
 //                          the sidecar's "atlas"
 //   look-at.values.json    of a probe: the sidecar, with the expected numbers unless the case file has them
-//   look-at.mistakes.json  what known mistakes and the untouched skeleton return for a probe
+//   look-at.mistakes.json  what known mistakes and the untouched skeleton return for a probe; of a choice, the outcomes
 #pragma once
 
 #include <filesystem>
@@ -50,9 +50,18 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar);
 /// Throws Error if `sidecar` was made for another case, or for other tolerances than `c` has now.
 void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::filesystem::path& file);
 
+/// A mistake's second spelling may return other numbers than its first: it is another form of the same mistake.
+inline std::string other_form(const std::string& mistake) {
+  return mistake + "~other";
+}
+/// "gamma-twice" for both of its forms.
+inline std::string mistake_of_form(const std::string& form) {
+  return form.substr(0, form.find('~'));
+}
+
 /// Wrong answers to a probe.
 struct WrongValues {
-  std::map<std::string, std::vector<Numbers>> mistakes;  ///< of known mistakes, by name
+  std::map<std::string, std::vector<Numbers>> mistakes;  ///< by form; empty: another form that the probe does not see
   std::vector<std::vector<Numbers>> unwritten;           ///< without the probe's function, alone and in the skeleton
 };
 WrongValues read_wrong_values(const std::filesystem::path& file);

@@ -23,9 +23,11 @@ class Agreement {
 
  private:
   enum class Witness { none, agrees, contradicts };
-  /// What all other cases say about a mistake.
-  Witness witness(const std::string& mistake) const;
-  Witness witness(const std::string& mistake, std::size_t index) const;
+  /// What all cases say about a form of a mistake (compare/sidecar.hpp).
+  Witness witness(const std::string& form) const;
+  Witness witness(const std::string& form, std::size_t index) const;
+  /// The forms that an answer could be: of a picture, all forms of its mistake.
+  std::vector<std::string> forms_of(std::size_t index) const;
 
   const std::vector<CaseResult>& results_;
   const std::vector<JudgedCase>& cases_;

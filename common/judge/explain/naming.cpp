@@ -163,8 +163,8 @@ std::vector<std::string> recognise_values(const std::vector<Numbers>& yours,
                                           const std::map<std::string, std::vector<Numbers>>& wrong_values,
                                           const JudgedCase& c) {
   std::vector<std::string> found;
-  for (const auto& [mistake, values] : wrong_values)
-    if (measure_probe(yours, values, c).passed) found.push_back(mistake);
+  for (const auto& [form, values] : wrong_values)
+    if (!values.empty() && measure_probe(yours, values, c).passed) found.push_back(form);
   return found;
 }
 

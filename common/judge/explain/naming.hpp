@@ -58,7 +58,7 @@ std::vector<Candidate> rank_mistakes(const Image& yours, const Image& reference,
 /// The first of `ranked` if it fulfils the conditions above, or nothing.
 std::optional<Candidate> recognise(const std::vector<Candidate>& ranked);
 
-/// The mistakes whose numbers a probe returned, all within the tolerance.
+/// The forms of mistakes whose numbers a probe returned, all within the tolerance.
 std::vector<std::string> recognise_values(const std::vector<Numbers>& yours,
                                           const std::map<std::string, std::vector<Numbers>>& wrong_values,
                                           const JudgedCase& c);

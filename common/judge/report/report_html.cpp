@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <string_view>
 #include <vector>
 
 #include "base/base64.hpp"
@@ -119,6 +122,27 @@ std::string step_html(const StepResult& step) {
   return html + "</section>\n";
 }
 
+/// Whether a remark is about a whole cause: the others stand with its case.
+bool is_of_cause(const Remark& remark) {
+  constexpr std::string_view labels[] = {"looks like", "also wrong", "also to do", "seen in", "may be in", "waiting"};
+  return std::find(std::begin(labels), std::end(labels), remark.label) != std::end(labels);
+}
+
+/// What to correct, in order, each with a link to the case that shows it best.
+std::string causes_html(const StepResult& step) {
+  if (step.causes.empty()) return {};
+  std::string html = fmt::format("<section class=\"causes\">\n<h2>{}</h2>\n<ol>\n", escape_markup(step.title));
+  for (std::size_t i = 0; i < step.causes.size(); ++i) {
+    const Cause& cause = step.causes[i];
+    html += fmt::format("<li><a href=\"#{}\">{}</a><dl>\n", case_anchor(step, shown_case(step, cause)),
+                        escape_markup(headline(step, i)));
+    for (const Remark& remark : remarks(step, cause))
+      if (is_of_cause(remark)) html += remark_html(remark);
+    html += "</dl></li>\n";
+  }
+  return html + "</ol>\n</section>\n";
+}
+
 std::string table_html(const SubmissionResult& result) {
   std::string html =
       "<table>\n<thead><tr><th scope=\"col\">Case</th><th scope=\"col\" class=\"verdict\">Verdict</th><th "
@@ -186,7 +210,9 @@ std::string html_report(const SubmissionResult& result) {
   html += header_html(result) +
           "<main>\n<p class=\"tools\"><button id=\"filter\" aria-pressed=\"false\" hidden>Hide passed "
           "cases</button></p>\n" +
-          notes_html(result.notes) + table_html(result);
+          notes_html(result.notes);
+  for (const StepResult& step : result.steps) html += causes_html(step);
+  html += table_html(result);
   for (const StepResult& step : result.steps) html += step_html(step);
   html += "</main>\n" + footer_html(result.environment);
   html +=

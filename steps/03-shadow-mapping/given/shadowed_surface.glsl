@@ -1,4 +1,5 @@
 // Passes a surface point to the student's functions. Given.
+#include "03-shadow-mapping/given/facet_normal.glsl"
 #include "03-shadow-mapping/shadow_mapping.glsl"
 
 // PARALLEL: the last row of the matrices of all directional lights is 0 0 0 1, as in every matrix without perspective.
@@ -27,7 +28,7 @@ float factor_of_map(int map, bool directional, vec3 position, vec3 normal, vec3 
       light.world_to_map = mat4(vec4(m[0].xyz, 0.0), vec4(m[1].xyz, 0.0), vec4(m[2].xyz, 0.0), vec4(m[3].xyz, 1.0));
     }
 #endif
-    return shadow_factor(light, position, normal, to_light);
+    return shadow_factor(light, position, facet_normal(position, normal), to_light);
   }
 #endif
   return 1.0;

@@ -1,4 +1,5 @@
 // Passes a surface point to the student's functions. Given.
+#include "03-shadow-mapping/given/facet_normal.glsl"
 #include "04-point-shadows/point_shadows.glsl"
 
 // The index of each point light in u_cube_lights; -1: it has no cube map.
@@ -8,7 +9,7 @@ const int point_cubes[POINT_LIGHTS] = int[](POINT_CUBES);
 
 float factor_of_cube(int cube, vec3 position, vec3 normal, vec3 to_light) {
 #if CUBES > 0
-  if (cube >= 0) return point_shadow_factor(u_cube_lights[cube], position, normal, to_light);
+  if (cube >= 0) return point_shadow_factor(u_cube_lights[cube], position, facet_normal(position, normal), to_light);
 #endif
   return 1.0;
 }

@@ -95,6 +95,7 @@ TEST_CASE("each kind of mutation is made, and only in what a student writes") {
     CHECK_FALSE(made.contains(row.line));  // none of them outside: not in the skeleton's lines, not in given code
   }
   CHECK_FALSE(mutated("return dot(a, b);").contains("return dot(b, a);"));  // the same number
+  CHECK(mutated("std::vector<float> v;").empty());
   CHECK_FALSE(mutated("const float c = a;").contains(";"));  // a declaration is no statement to leave out
 }
 
