@@ -44,11 +44,9 @@ struct ChoiceMeasurement {
 ChoiceMeasurement measure_choice(const Image& picture, const Image& truth, Encoding encoding, const Counts& counts,
                                  const Choice& choice);
 
-/// The error, then the limited counts by name: by these a choice is recognised as one of the known mistakes.
-std::vector<double> outcome(const ChoiceMeasurement& measured, const Counts& counts, const Choice& choice);
-
-/// Whether two outcomes differ by rounding only.
-bool same_outcome(const std::vector<double>& a, const std::vector<double>& b);
+/// What is exceeded, 0 or 1 each: the error for all points, then the limits by name. A known mistake is recognised by
+/// it.
+std::vector<double> exceeded(const ChoiceMeasurement& measured, const Counts& counts, const Choice& choice);
 
 /// The distance in tolerances, as for pictures: the larger of error / full and `budget_use`.
 double margin(const ChoiceMeasurement& measured, const Choice& choice);

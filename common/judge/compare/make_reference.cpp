@@ -105,6 +105,11 @@ double margin_of(const JudgedCase& c, const Answer& answer, const CorrectAnswer&
   return measured.malformed.empty() ? std::min(measured.worst_times, max_margin) : max_margin;
 }
 
+bool fails(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
+  if (c.choice && comparable(c, answer, correct)) return !choice_of(c, answer, correct).passed();
+  return margin_of(c, answer, correct) >= 1;
+}
+
 double failing_fraction(const JudgedCase& c, const Answer& answer, const CorrectAnswer& correct) {
   if (c.choice) return 1;  // credit depends only on the error
   if (answer.ended != Answer::Ended::normally) return 1;
@@ -233,8 +238,8 @@ void write_picture(const std::filesystem::path& folder, const JudgedCase& c, con
   if (!c.choice) return;
   WrongValues wrong;
   for (const auto& [mistake, answer] : material.mistakes)
-    if (comparable(c, answer, correct) && made.margins.at(mistake) >= 1)
-      wrong.mistakes[mistake] = {outcome(choice_of(c, answer, correct), answer.counts, *c.choice)};
+    if (comparable(c, answer, correct) && fails(c, answer, correct))
+      wrong.mistakes[mistake] = {exceeded(choice_of(c, answer, correct), answer.counts, *c.choice)};
   write_wrong_values(wrong_values_path(folder, c.ask.name), wrong);
   made.written.push_back(wrong_values_path(folder, c.ask.name));
 }
@@ -298,7 +303,7 @@ MadeReference make_reference(const std::filesystem::path& folder, const JudgedCa
   sidecar.skeleton_fraction = made.skeleton_fraction;
   sidecar.nearest = made.nearest;
   for (const auto& [function, answer] : material.without)
-    if (margin_of(c, answer, correct) >= 1) sidecar.needs.push_back(function);
+    if (fails(c, answer, correct)) sidecar.needs.push_back(function);
   sidecar.margin = made.margin;
   const auto write = c.profile == Profile::values ? write_values : write_picture;
   write(folder, c, material, correct, sidecar, made);

@@ -21,7 +21,7 @@ CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& an
   for (const auto& [name, most] : c.choice->at_most) result.figures[name] = double(answer.counts.at(name));
   result.reason = describe_choice(measured, answer.counts, *c.choice);
   for (const auto& [mistake, known] : references.atlas(c).values.mistakes)
-    if (!measured.passed() && same_outcome(outcome(measured, answer.counts, *c.choice), known.front()))
+    if (!measured.passed() && exceeded(measured, answer.counts, *c.choice) == known.front())
       result.could_be.push_back(mistake);
   if (measured.passed())
     give_full_credit(result);
