@@ -59,8 +59,8 @@ Filter filter_of(int code) {
   return code == 0 ? Filter::nearest : code == 1 ? Filter::linear : Filter::mipmap;
 }
 
-/// What OpenGL remembers of a texture of 4x2 pixels: filters, wraps, highest level, size and format of level 0, its
-/// lower left texel, and its upper right one.
+/// What OpenGL remembers of a texture of 4x2 pixels: filters, wraps, highest level, size and format of level 0, whether
+/// it was left bound, its lower left texel, and its upper right one.
 Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   const Filter filter = filter_of(in.integer("filter"));
@@ -68,6 +68,7 @@ Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   std::vector<Image> levels = {base};
   if (filter == Filter::mipmap) levels = {base, Image(2, 1), Image(1, 1)};
   const GlTexture texture(gl, blinn_phong::upload_texture(gl, levels, wrap_of(in.integer("wrap")), filter));
+  const bool left_bound = integer_of(gl, GL_TEXTURE_BINDING_2D) != 0;
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   Numbers out;
   append(out, texture_parameters(gl, GL_TEXTURE_2D,
@@ -77,6 +78,7 @@ Numbers probe_upload_texture(ProbeContext& context, const Arguments& in) {
   std::vector<Rgba> texels(std::size_t(std::max(8.0, out[5] * out[6])));
   gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, texels.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);
+  out.push_back(left_bound);
   for (const Rgba& texel : {texels[0], texels[7]}) out.insert(out.end(), {texel.r, texel.g, texel.b, texel.a});
   return out;
 }
