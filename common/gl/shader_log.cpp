@@ -3,7 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdio>
+#include <iterator>
+#include <regex>
+#include <sstream>
 
 #include "gl/shader.hpp"
 
@@ -24,6 +28,9 @@ constexpr std::array<LogForm, 4> log_forms = {{
     {"WARNING: %*u:%u: %n", "warning: "},
 }};
 
+/// What drivers say of a name that is defined twice.
+constexpr const char* words_for_twice[] = {"redeclared", "redefined", "redefinition", "redeclaration", "already"};
+
 /// "file:line" for a line of the assembled text. Beyond its end, where drivers report missing tokens, that of the last
 /// line.
 std::string author_place(unsigned number, const ShaderSource& source) {
@@ -33,13 +40,48 @@ std::string author_place(unsigned number, const ShaderSource& source) {
   return fmt::format("{}:{}", file < 0 ? "(defines)" : source.names[std::size_t(file)], line);
 }
 
+/// The name that a message calls defined twice; empty if it does not.
+std::string name_defined_twice(const std::string& message) {
+  const bool twice = std::any_of(std::begin(words_for_twice), std::end(words_for_twice),
+                                 [&](const char* word) { return message.find(word) != message.npos; });
+  const std::size_t open = message.find_first_of("`'\"");
+  if (!twice || open == message.npos) return {};
+  return message.substr(open + 1, message.find_first_of("'\"", open + 1) - open - 1);
+}
+
+/// Where else a name stands outside of all braces, before line `number`; empty if nowhere.
+std::string other_definition(const std::string& name, unsigned number, const ShaderSource& source) {
+  const std::regex word("\\b" + name + "\\b");
+  std::istringstream text(source.text);
+  int depth = 0;
+  unsigned line_number = 0;
+  for (std::string line; std::getline(text, line) && ++line_number < number;) {
+    if (depth == 0 && !line.starts_with("//") && std::regex_search(line, word))
+      return author_place(line_number, source);
+    depth += int(std::count(line.begin(), line.end(), '{') - std::count(line.begin(), line.end(), '}'));
+  }
+  return {};
+}
+
+/// " (also defined in FILE:LINE ...)" for a message about a name that is defined twice: the files of several steps, and
+/// given ones, are parts of one shader.
+std::string clash_words(const std::string& message, unsigned number, const ShaderSource& source) {
+  const std::string name = name_defined_twice(message);
+  const bool plain = !name.empty() &&
+                     std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  const std::string other = plain ? other_definition(name, number, source) : "";
+  return other.empty() ? "" : fmt::format(" (also in {}: both are parts of one shader, so rename yours)", other);
+}
+
 std::string translate_line(const std::string& line, const ShaderSource& source) {
   for (const LogForm& form : log_forms) {
     unsigned number = 0;
     int message = 0;  // stays 0 if the line does not match the whole format
     std::sscanf(line.c_str(), form.format, &number, &message);
-    if (message > 0)
-      return fmt::format("{}: {}{}", author_place(number, source), form.severity, line.substr(std::size_t(message)));
+    if (message == 0) continue;
+    const std::string words = line.substr(std::size_t(message));
+    return fmt::format("{}: {}{}{}", author_place(number, source), form.severity, words,
+                       clash_words(words, number, source));
   }
   return line;
 }

@@ -48,6 +48,31 @@ TEST_CASE("Each driver's log becomes file, line and message") {
   }
 }
 
+TEST_CASE("a name that is defined twice: the message says where else") {
+  ShaderSource source = two_files();
+  source.text =
+      "#version 330 core\n"
+      "const float PI = 3.14159265;\n"
+      "\n"
+      "// PI, once more\n"
+      "float half_turn() {\n"
+      "  float turn = PI;\n"
+      "  return turn;\n"
+      "}\n"
+      "const float PI = 3.1416;\n"
+      "float turn = 1.0;\n"
+      "float turn() { return PI; }\n"
+      "\n";
+  const auto said = [&](const char* log) { return translate_shader_log(log, source); };
+  CHECK(said("0:9(13): error: `PI' redeclared\n") ==
+        "02/lit.glsl:6: error: `PI' redeclared (also in main.glsl:1: both are parts of one shader, so rename yours)");
+  CHECK(said("ERROR: 0:11: 'turn' : redefinition\n") ==
+        "main.glsl:4: error: 'turn' : redefinition (also in 02/lit.glsl:7: both are parts of one shader, so rename "
+        "yours)");
+  CHECK(said("0:9(13): error: `PI' undeclared\n") == "02/lit.glsl:6: error: `PI' undeclared");
+  CHECK(said("0:2(13): error: `PI' redeclared\n") == "main.glsl:1: error: `PI' redeclared");  // nothing before it
+}
+
 TEST_CASE("A very long log is truncated") {
   std::string log;
   for (int message = 1; message <= 1000; ++message) log += "0:2(1): error: x" + std::to_string(message) + "\n";
