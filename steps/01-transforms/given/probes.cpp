@@ -139,7 +139,9 @@ Numbers probe_upload_mesh(ProbeContext& context, const Arguments& in) {
 
 Numbers probe_set_wireframe(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
-  set_wireframe(gl, in.number("on") != 0);
+  const bool on = in.number("on") != 0;
+  gl.PolygonMode(GL_FRONT_AND_BACK, GLenum(on ? GL_FILL : GL_LINE));  // so that doing nothing is not right
+  set_wireframe(gl, on);
   GLint mode[2] = {0, 0};  // compatibility contexts return two values
   gl.GetIntegerv(GL_POLYGON_MODE, mode);
   gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);

@@ -154,7 +154,7 @@ std::map<std::string, Probe> shadow_mapping_probes() {
       {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light + ", coordinate, slope, search)")},
       {"pcss", map_probe(pcss, "pcss(" + plain_light + ", coordinate, slope, receiver)")},
   };
-  for (int bias = 0; bias <= 3; ++bias)
+  for (int bias = 0; bias <= 4; ++bias)
     probes[fmt::format("shadow_factor_{}", bias)] =
         map_probe({{"BIAS", fmt::to_string(bias)}},
                   "shadow_factor(" + light_of_arguments + ", position, normal, to_light)", bias_as_argument);

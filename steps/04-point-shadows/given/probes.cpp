@@ -203,7 +203,7 @@ std::map<std::string, Probe> point_shadow_probes() {
                     factor = "vec4(point_shadow_factor(" + light_of_arguments + ", position, normal, to_light))";
   probes["cube_pcf"] = cube_probe(glsl(0, 3, false), false, filtered);
   probes["cube_pcf_even"] = cube_probe(glsl(0, 2, false), false, filtered);
-  for (int bias = 0; bias <= 3; ++bias)
+  for (int bias = 0; bias <= 4; ++bias)
     probes[fmt::format("point_shadow_factor_{}", bias)] =
         cube_probe(glsl(bias, 1, false, bias_as_argument), false, factor);
   return probes;
