@@ -63,7 +63,9 @@ Sources sources_at(const fs::path& root, const std::string& revision, const std:
   std::istringstream paths(said_by_git(root, {"ls-tree", "--name-only", revision, folder + "/"}));
   for (std::string path; std::getline(paths, path);)
     sources[fs::path(path).filename().string()] = said_by_git(root, {"show", revision + ":" + path});
-  if (sources.empty()) throw Error(fmt::format("--rebase {}: it has no {}: commit the step before you change its solution", revision, folder));
+  if (sources.empty())
+    throw Error(
+        fmt::format("--rebase {}: it has no {}: commit the step before you change its solution", revision, folder));
   return sources;
 }
 

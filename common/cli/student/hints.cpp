@@ -44,6 +44,10 @@ const JudgedCase& case_named(const CaseFile& cases, const std::string& name) {
 
 const JudgedCase& case_to_help_with(const CaseFile& cases, const std::string& name, const ProgressRecord& record) {
   if (!name.empty()) return case_named(cases, name);
+  const auto found = record.find(cases.step);
+  if (found != record.end() && found->second.check)
+    for (const JudgedCase& c : cases.cases)
+      if (c.ask.name == found->second.check->begin_with) return c;
   for (const JudgedCase& c : cases.cases)
     if (!passed(record, cases.step, c.ask.name)) return c;
   throw Error(fmt::format("{}: the last check passed every case; name the one that you want a hint for", cases.step));

@@ -10,6 +10,7 @@
 #include "base/folder_lock.hpp"
 #include "base/sha256.hpp"
 #include "base/strict_json.hpp"
+#include "judge/report/report_words.hpp"
 
 namespace atelier {
 namespace {
@@ -34,7 +35,7 @@ const Json& object(const Json& value, const std::string& where) {
 }
 
 CheckRecord check_from(const Json& value, const std::string& where) {
-  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases"}, where);
+  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases", "begin_with"}, where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(value, name, where); };
   CheckRecord check;
   check.when = strict_json::text(member("when"), where + ": when", 40);
@@ -43,6 +44,8 @@ CheckRecord check_from(const Json& value, const std::string& where) {
   check.files = digest(member("files"), where + ": files");
   for (const auto& [name, passed] : object(member("cases"), where + ": cases").items())
     check.cases[name] = strict_json::boolean(passed, where + ": cases: " + name);
+  if (const Json* begin_with = strict_json::optional(value, "begin_with"))
+    check.begin_with = strict_json::name(*begin_with, where + ": begin_with");
   return check;
 }
 
@@ -80,6 +83,7 @@ OrderedJson to_json(const StepProgress& step) {
                      {"max_score", step.check->max_score},
                      {"files", step.check->files},
                      {"cases", step.check->cases}};
+  if (step.check && !step.check->begin_with.empty()) json["check"]["begin_with"] = step.check->begin_with;
   if (!step.hints.empty()) json["hints"] = step.hints;
   return json;
 }
@@ -124,6 +128,7 @@ void change_progress(const fs::path& file, const std::function<void(ProgressReco
 void record_check(ProgressRecord& record, const judge::StepResult& result, const std::string& files) {
   CheckRecord check{.when = now_in_utc(), .score = result.score, .max_score = result.max_score, .files = files};
   for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.status == judge::Status::passed;
+  if (!result.causes.empty()) check.begin_with = judge::shown_case(result, result.causes.front()).name;
   StepProgress& step = record[result.step];
   step.best = std::max(step.best, check.score);
   step.check = std::move(check);

@@ -30,6 +30,7 @@ struct CheckRecord {
   double score = 0, max_score = 0;    ///< points
   std::string files;                  ///< digest_of_files() of the judged files
   std::map<std::string, bool> cases;  ///< by name: whether it passed
+  std::string begin_with;             ///< the case that the verdict began with; empty: every case passed, or not known
 
   int passed() const;  ///< how many of the cases
 };

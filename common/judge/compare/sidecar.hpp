@@ -6,7 +6,8 @@
 //   sphere.atlas.png       the pictures of known mistakes, encoded, at half size, one below the other in the order of
 //                          the sidecar's "atlas"
 //   look-at.values.json    of a probe: the sidecar, with the expected numbers unless the case file has them
-//   look-at.mistakes.json  what known mistakes and the untouched skeleton return for a probe; of a choice, which limits they exceed
+//   look-at.mistakes.json  what known mistakes and the untouched skeleton return for a probe, and for a choice which
+//                          limits they exceed
 #pragma once
 
 #include <filesystem>

@@ -96,6 +96,13 @@ TEST_CASE("without a name, the hint is for the first failed case") {
   CHECK(mentions(error_of([&] { hint_at(course.folders, course.step, "bth", course.record, 1); }), {"bth", "'both'"}));
 }
 
+TEST_CASE("without a name, the hint is for the case that the verdict began with") {
+  HintedCourse course;
+  course.record["01-move"].check = CheckRecord{.cases = {{"one", false}, {"both", false}}, .begin_with = "both"};
+  CHECK(next_hint(course.folders, course.step, "", course.record).case_name == "both");
+  CHECK(next_hint(course.folders, course.step, "one", course.record).case_name == "one");
+}
+
 TEST_CASE("a function whose own cases have passed needs no hint") {
   HintedCourse course;
   CHECK(hint_at(course.folders, course.step, "both", course.record, 2).functions == Texts{"turn", "shift"});

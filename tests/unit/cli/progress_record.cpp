@@ -27,7 +27,9 @@ TEST_CASE("a missing record is empty, and a written one is read back") {
   CHECK(read_progress(file).empty());
 
   ProgressRecord record;
-  record_check(record, result_of(Status::passed, Status::failed, 4.25), digest);
+  judge::StepResult failed = result_of(Status::passed, Status::failed, 4.25);
+  failed.causes.push_back({.shown = {1}});
+  record_check(record, failed, digest);
   raise_hint_level(record, "01-move", "b", 2);
   raise_hint_level(record, "99-from-a-later-course", "x", 1);
   write_progress(file, record);
@@ -40,6 +42,7 @@ TEST_CASE("a missing record is empty, and a written one is read back") {
   CHECK(step.check->files == digest);
   CHECK(step.check->cases == std::map<std::string, bool>{{"a", true}, {"b", false}});
   CHECK(step.check->passed() == 1);
+  CHECK(step.check->begin_with == "b");
   CHECK(step.check->when.size() == std::string("2025-03-01T09:30:00Z").size());
   CHECK(step.best == 4.25);
   CHECK(hint_level(again, "01-move", "b") == 2);

@@ -25,8 +25,7 @@ struct Tabled {
         std::string_view(R"([{"step": "05-other", "sentence": "No."}, {"step": "06-rain", "sentence": "Drops."}])"));
     write_file(folder.path() / "handouts/05-mist.md",
                std::string_view("# 05 Mist\n\n| core | 1 | 4 | a |\n| further | 1½ | 2 | b |\n"));
-    write_file(folders.case_file("05-mist"),
-               std::string_view(R"({"schema": 1, "step": "05-mist", "cases": [
+    write_file(folders.case_file("05-mist"), std::string_view(R"({"schema": 1, "step": "05-mist", "cases": [
       {"name": "a", "title": "a", "asked": "a", "hint": "a", "points": 4, "scene": "s", "rejects": ["x"]},
       {"name": "b", "title": "b", "asked": "b", "hint": "b", "points": 2, "scene": "s", "rejects": ["x"], "tier": "further"}]})"));
   }
