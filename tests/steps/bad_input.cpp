@@ -108,7 +108,7 @@ TEST_CASE("a skipped file is reported with its reason, once per step", "[bad-inp
       CHECK(c["reason"].get<std::string>().starts_with(row.reason));
     }
     CHECK(!mentions(finished.output, {"compiler output"}));
-    CHECK(mentions(finished.output, {fmt::format(" {} cases  missing", results["steps"][0]["cases"].size())}));
+    CHECK(mentions(finished.output, {fmt::format("these {} cases: missing", results["steps"][0]["cases"].size())}));
     for (const char* report : {"report.html", "junit.xml"}) CHECK(mentions(read_file(out / report), {row.reason}));
   }
 }

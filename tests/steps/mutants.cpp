@@ -16,14 +16,16 @@ void check_mutations(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "mutate");
   const Printed run = printed(with_steps(std::move(arguments)));
   CHECK(!run.json["mutations"].empty());
+  int built = 0;
   for (const json& step : run.json["mutations"]) {
     INFO(step["step"].get<std::string>() << ", seed " << step["seed"].dump());
-    CHECK(step["built"] > 0);
+    built += step["built"].get<int>();
     for (const json& mutant : step["survived"]) {
       INFO(mutant.dump(2));
       CHECK(false);
     }
   }
+  if (is_whole_course()) CHECK(built > 0);  // step 00 alone has nothing to change
   CHECK(run.exit_status == 0);
 }
 

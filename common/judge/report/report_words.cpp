@@ -126,9 +126,9 @@ std::string headline(const StepResult& step, std::size_t index) {
                                cause.inputs, need);
     }
     case Cause::Kind::unwritten:
-      return fmt::format("{} {}: not written yet; {} failing {} it{}", verb, cause.functions[0], count,
+      return fmt::format("{} {}: it answers as in the skeleton; {} failing {} it{}", verb, cause.functions[0], count,
                          count == 1 ? "case needs" : "cases need",
-                         cause.functions.size() > 1 ? " or other functions that are not written yet" : "");
+                         cause.functions.size() > 1 ? " or other functions that do" : "");
     case Cause::Kind::picture:
       return fmt::format("{} {}: all probes of the functions that it needs pass", verb, shown.name);
     case Cause::Kind::choice:

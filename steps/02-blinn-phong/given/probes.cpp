@@ -116,10 +116,6 @@ std::map<std::string, Probe> blinn_phong_probes() {
        }},
       {"balance", probe_balance},
       {"power_table", probe_power_table},
-      {"power_table_refuses",
-       [](ProbeContext&, const Arguments& in) {
-         return refuses([&] { blinn_phong::power_table(float(in.number("exponent")), in.integer("size")); });
-       }},
       {"attenuation", shader_probe(glsl(), "vec4(attenuation(distance_to_light, coefficients))", 1)},
       {"spot_cone", shader_probe(glsl(), "vec4(spot_cone(to_light, axis, cos_inner, cos_outer))", 1)},
       {"reflected",

@@ -28,8 +28,10 @@ std::string glsl(Defines defines = {}, const std::string& before = "") {
 /// A light of GLSL, from the arguments eye, direction, half_width, near, far, width, directional and layer.
 const std::string light_of_arguments =
     "ShadowLight(world_to_map, eye, direction, half_width, near, far, width, directional > 0.5, int(layer))";
-const std::string plain_light =
-    "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, directional > 0.5, 0)";
+std::string plain_light(const std::string& layer = "0") {
+  return "ShadowLight(mat4(1.0), vec3(0.0), vec3(0.0, -1.0, 0.0), half_width, near, far, width, directional > 0.5, " +
+         layer + ")";
+}
 
 /// Two maps of 8 x 8 texels: the first 0.25 deep in its left half and 0.75 in its right, the second 0.5 all over.
 GlTexture two_maps(Gl& gl, bool compare) {
@@ -138,21 +140,21 @@ std::map<std::string, Probe> shadow_mapping_probes() {
        shader_probe(text_including("03-shadow-mapping/depth_pass.glsl"),
                     "depth_pass_position(position) + 0.0 * u_view[0] + 0.0 * u_projection[0]", 4)},
       {"shadow_coordinate", shader_probe(glsl(), "vec4(shadow_coordinate(world_to_map, position), 0.0)", 3)},
-      {"map_width", shader_probe(glsl(), "vec4(map_width(" + plain_light + ", depth))", 1)},
+      {"map_width", shader_probe(glsl(), "vec4(map_width(" + plain_light() + ", depth))", 1)},
       {"constant_bias", shader_probe(glsl(), "vec4(constant_bias(position, to_light, amount), 0.0)", 3)},
       {"slope_bias", shader_probe(glsl(), "vec4(slope_bias(position, normal, to_light, axis, amount), 0.0)", 3)},
       {"normal_offset", shader_probe(glsl(), "vec4(normal_offset(position, normal, axis, amount), 0.0)", 3)},
       {"plane_slope", shader_probe(glsl(), "vec4(plane_slope(dx, dy), 0.0, 0.0)", 2)},
-      {"linear_depth", shader_probe(glsl(), "vec4(linear_depth(" + plain_light + ", z))", 1)},
-      {"penumbra_width", shader_probe(glsl(), "vec4(penumbra_width(" + plain_light + ", receiver, blocker))", 1)},
+      {"linear_depth", shader_probe(glsl(), "vec4(linear_depth(" + plain_light() + ", z))", 1)},
+      {"penumbra_width", shader_probe(glsl(), "vec4(penumbra_width(" + plain_light() + ", receiver, blocker))", 1)},
       {"compare_depth", map_probe({}, "compare_depth(coordinate, int(layer))")},
       {"compare_depth_bilinear", map_probe(compare, "compare_depth(coordinate, int(layer))")},
       {"pcf", map_probe(pcf3, "pcf(coordinate, slope, int(layer))")},
       {"pcf_even", map_probe({{"PCF", "2"}}, "pcf(coordinate, slope, int(layer))")},
       {"pcf_wide", map_probe({{"PCF", "5"}}, "pcf(coordinate, slope, int(layer))")},
       {"pcf_bilinear", map_probe(pcf3_compare, "pcf(coordinate, slope, int(layer))")},
-      {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light + ", coordinate, slope, search)")},
-      {"pcss", map_probe(pcss, "pcss(" + plain_light + ", coordinate, slope, receiver)")},
+      {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light("int(layer)") + ", coordinate, slope, search)")},
+      {"pcss", map_probe(pcss, "pcss(" + plain_light("int(layer)") + ", coordinate, slope, receiver)")},
   };
   for (int bias = 0; bias <= 4; ++bias)
     probes[fmt::format("shadow_factor_{}", bias)] =

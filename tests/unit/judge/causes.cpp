@@ -163,7 +163,7 @@ TEST_CASE("functions as in the skeleton come last, and nothing is diagnosed of t
   step.answer("near", {{0}, {0}});
   step.answer("far", {{7}, {1}});
   step.draw("hill", "inverted");
-  CHECK(test::mentions(headlines(step.explained()), {"Begin with near: not written yet; 3 failing cases need it"}));
+  CHECK(test::mentions(headlines(step.explained()), {"Begin with near: it answers as in the skeleton; 3 failing cases need it"}));
   CHECK_FALSE(step.of("hill").mistake.has_value());
   CHECK_FALSE(step.of("near").hypothesis.has_value());
 
