@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cstdio>
 #include <iterator>
-#include <regex>
 #include <sstream>
 
 #include "gl/shader.hpp"
@@ -49,15 +48,25 @@ std::string name_defined_twice(const std::string& message) {
   return message.substr(open + 1, message.find_first_of("'\"", open + 1) - open - 1);
 }
 
+bool in_a_name(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+bool contains_word(const std::string& line, const std::string& word) {
+  for (std::size_t at = line.find(word); at != line.npos; at = line.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || !in_a_name(line[at - 1])) && (end == line.size() || !in_a_name(line[end]))) return true;
+  }
+  return false;
+}
+
 /// Where else a name stands outside of all braces, before line `number`; empty if nowhere.
 std::string other_definition(const std::string& name, unsigned number, const ShaderSource& source) {
-  const std::regex word("\\b" + name + "\\b");
   std::istringstream text(source.text);
   int depth = 0;
   unsigned line_number = 0;
   for (std::string line; std::getline(text, line) && ++line_number < number;) {
-    if (depth == 0 && !line.starts_with("//") && std::regex_search(line, word))
-      return author_place(line_number, source);
+    if (depth == 0 && !line.starts_with("//") && contains_word(line, name)) return author_place(line_number, source);
     depth += int(std::count(line.begin(), line.end(), '{') - std::count(line.begin(), line.end(), '}'));
   }
   return {};
@@ -67,8 +76,7 @@ std::string other_definition(const std::string& name, unsigned number, const Sha
 /// given ones, are parts of one shader.
 std::string clash_words(const std::string& message, unsigned number, const ShaderSource& source) {
   const std::string name = name_defined_twice(message);
-  const bool plain = !name.empty() &&
-                     std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), in_a_name);
   const std::string other = plain ? other_definition(name, number, source) : "";
   return other.empty() ? "" : fmt::format(" (also in {}: both are parts of one shader, so rename yours)", other);
 }
