@@ -71,7 +71,7 @@ struct CaseResult {
 /// One thing to correct, and the failing cases that it explains.
 struct Cause {
   enum class Kind {
-    no_answer,  ///< crashed, timed out, did not compile, or nothing was there: `shown` are all cases with this reason
+    no_answer,  ///< did not compile, or most cases have no answer for one reason: `shown` are all of these
     function,   ///< a function is wrong: `shown` are its failing probes
     unwritten,  ///< functions are as in the skeleton: `shown` are the failing probes of the first one
     picture,    ///< pictures are wrong although the probes of all functions that they need pass

@@ -14,10 +14,6 @@ namespace {
 
 using Indices = std::vector<std::size_t>;
 
-bool did_not_run(Status status) {
-  return status == Status::missing || status == Status::build_failed;
-}
-
 struct Function {
   std::string name;
   Indices probes;               ///< the cases that ask it
@@ -98,10 +94,10 @@ class CauseFinder {
 
   bool is_failing(const CaseResult& result) const { return result.status != Status::passed && !has_no_answer(result); }
 
-  /// Not built, nothing there, or ended in the same way in most cases: then it is no single function.
+  /// Not built, or without an answer for the same reason as most cases: then it is no single function.
   bool has_no_answer(const CaseResult& result) const {
-    if (did_not_run(result.status)) return true;
-    if (result.status != Status::crashed && result.status != Status::timeout) return false;
+    if (result.status == Status::build_failed) return true;
+    if (result.status == Status::passed || result.status == Status::failed) return false;
     const auto alike = std::count_if(step_.cases.begin(), step_.cases.end(), [&](const CaseResult& other) {
       return other.status == result.status && other.reason == result.reason;
     });

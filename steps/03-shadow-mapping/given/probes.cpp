@@ -156,10 +156,11 @@ std::map<std::string, Probe> shadow_mapping_probes() {
       {"blocker_depth", map_probe(pcss, "blocker_depth(" + plain_light("int(layer)") + ", coordinate, slope, search)")},
       {"pcss", map_probe(pcss, "pcss(" + plain_light("int(layer)") + ", coordinate, slope, receiver)")},
   };
+  const std::string factor = "shadow_factor(" + light_of_arguments + ", position, normal, to_light)";
   for (int bias = 0; bias <= 4; ++bias)
     probes[fmt::format("shadow_factor_{}", bias)] =
-        map_probe({{"BIAS", fmt::to_string(bias)}},
-                  "shadow_factor(" + light_of_arguments + ", position, normal, to_light)", bias_as_argument);
+        map_probe({{"BIAS", fmt::to_string(bias)}}, factor, bias_as_argument);
+  probes["shadow_factor_filtered"] = map_probe({{"BIAS", "1"}, {"PCF", "3"}}, factor, bias_as_argument);
   return probes;
 }
 

@@ -76,6 +76,7 @@ class Step {
     if (!like.empty()) result.could_be = {like};
   }
 
+  void lose(const std::string& name) { step_.cases[index(name)].status = Status::missing; }
   void crash(const std::string& name) { step_.cases[index(name)].status = Status::crashed; }
 
   const StepResult& explained() {
@@ -158,12 +159,20 @@ TEST_CASE("a crash in a probe is a wrong answer of its function") {
   CHECK(headlines(step.explained()) == "Begin with near: wrong for every input; 2 failing cases need it\n");
 }
 
+TEST_CASE("a probe without an answer is a wrong answer of its function") {
+  Step step;
+  step.lose("far");
+  step.draw("hill", "");
+  CHECK(headlines(step.explained()) == "Begin with far: wrong for every input; 2 failing cases need it\n");
+}
+
 TEST_CASE("functions as in the skeleton come last, and nothing is diagnosed of them") {
   Step step;
   step.answer("near", {{0}, {0}});
   step.answer("far", {{7}, {1}});
   step.draw("hill", "inverted");
-  CHECK(test::mentions(headlines(step.explained()), {"Begin with near: it answers as in the skeleton; 3 failing cases need it"}));
+  CHECK(test::mentions(headlines(step.explained()),
+                       {"Begin with near: it answers as in the skeleton; 3 failing cases need it"}));
   CHECK_FALSE(step.of("hill").mistake.has_value());
   CHECK_FALSE(step.of("near").hypothesis.has_value());
 
