@@ -64,13 +64,13 @@ bool sets_member(const std::string& name) {
 glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression,
                                 const Arguments& arguments) {
   std::string text = "out vec4 o_value;\n";
-  const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   for (const auto& [name, values] : arguments.values)
     if (!sets_member(name)) text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
   text += preamble + "void main() { o_value = " + expression + "; }\n";
 
   const std::string shown_as = "probe: " + expression;
   const DebugGroup group(gl_, shown_as);
+  const FindFile find = [this](const std::string& name) { return implementations_.find(name); };
   auto found = programs_.find(text);
   if (found == programs_.end()) {
     found = programs_

@@ -109,8 +109,12 @@ void write_results(const measure::StepMeasured& measured, const fs::path& out) {
   write_file(out / "index.html", measure::page(measured));
 }
 
-void print_results(const measure::StepMeasured& measured, const fs::path& out) {
+void print_findings(const measure::StepMeasured& measured) {
   for (const Finding& finding : all_findings(measured)) fmt::print("{} {}\n", finding.met ? "✓" : "✗", finding.words);
+}
+
+void print_results(const measure::StepMeasured& measured, const fs::path& out) {
+  print_findings(measured);
   for (const auto& front : measured.fronts)
     if (const measure::Ranking ranking = measure::rank(front); ranking.knee)
       fmt::print("· {}: recommended {} ({:.2f} ms, {} {:.3g})\n", front.plan.name, front.points[*ranking.knee].value,
@@ -126,10 +130,8 @@ int handle_handout(const ProjectFolders& folders, const CourseStep& step, Plan p
   if (plan.sweeps.empty()) throw Error(fmt::format("{}: no sweep of those asked for is in the handout", step.name));
   const measure::StepMeasured measured = carry_out(plan, program, listing, 0);
   int status = exit_ok;
-  for (const Finding& finding : all_findings(measured)) {
-    fmt::print("{} {}\n", finding.met ? "✓" : "✗", finding.words);
-    if (!finding.met) status = exit_failed;
-  }
+  print_findings(measured);
+  if (!all_met(all_findings(measured))) status = exit_failed;
   for (const auto& sweep : measured.sweeps) {
     const fs::path plot = folders.handouts() / "plots" / fmt::format("{}-{}", step.number(), sweep.plan.name);
     const fs::path numbers = plot.string() + ".csv", picture = plot.string() + ".svg";

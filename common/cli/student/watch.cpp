@@ -50,11 +50,6 @@ bool is_whole(const fs::path& file) {
   return fs::file_size(file, error) > 0 && !error;
 }
 
-judge::TerminalStyle with_table(judge::TerminalStyle style) {
-  style.table = true;
-  return style;
-}
-
 enum class Going { on, away };
 
 /// Watching one step.
@@ -180,10 +175,10 @@ void Session::show_verdict() {
 }
 
 void Session::show_all() const {
-  if (result_)
-    fmt::print("\n{}", judge::terminal_report(result_->steps.front(), with_table(style_)));
-  else
-    fmt::print("There is no verdict yet.\n");
+  if (!result_) return fmt::print("There is no verdict yet.\n");
+  judge::TerminalStyle style = style_;
+  style.table = true;
+  fmt::print("\n{}", judge::terminal_report(result_->steps.front(), style));
 }
 
 void Session::show_hint() {

@@ -252,16 +252,16 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
   made.written = {file};
 
   WrongValues wrong;
+  const auto is_wrong = [&](const Answer& answer) {
+    return comparable(c, answer, correct) && margin_of(c, answer, correct) >= 1;
+  };
   for (const auto& [mistake, answer] : material.mistakes)
-    if (answer.ended == Answer::Ended::normally && answer.values && made.margins.at(mistake) >= 1)
-      wrong.mistakes[mistake] = *answer.values;
-  for (const auto& [mistake, answer] : material.spellings) {
-    const bool seen = margin_of(c, answer, correct) >= 1;
-    if (seen && (answer.ended != Answer::Ended::normally || !answer.values)) continue;
-    wrong.mistakes[other_form(mistake)] = seen ? *answer.values : std::vector<Numbers>();
-  }
+    if (is_wrong(answer)) wrong.mistakes[mistake] = *answer.values;
+  for (const auto& [mistake, answer] : material.spellings)
+    if (comparable(c, answer, correct))
+      wrong.mistakes[other_form(mistake)] = is_wrong(answer) ? *answer.values : std::vector<Numbers>();
   const auto add_unwritten = [&](const Answer& answer) {
-    if (answer.ended == Answer::Ended::normally && answer.values && margin_of(c, answer, correct) >= 1 &&
+    if (is_wrong(answer) &&
         std::find(wrong.unwritten.begin(), wrong.unwritten.end(), *answer.values) == wrong.unwritten.end())
       wrong.unwritten.push_back(*answer.values);
   };

@@ -104,9 +104,13 @@ int matrix_side(const std::vector<Numbers>& expected) {
   return every([](const Numbers& numbers) { return numbers.size() == 9; }) ? 3 : 0;
 }
 
+int matrix_side(const std::vector<Numbers>& expected, const JudgedCase& c) {
+  return c.numbers.empty() ? matrix_side(expected) : 0;
+}
+
 std::string place_of_number(const ProbeNumber& number, const std::vector<Numbers>& expected, const JudgedCase& c) {
-  const int count = int(expected[std::size_t(number.input)].size()), side = matrix_side(expected);
   if (!c.numbers.empty()) return c.numbers[std::size_t(number.component)].name;
+  const int count = int(expected[std::size_t(number.input)].size()), side = matrix_side(expected);
   if (count == 1) return "";
   if (side == 0) return fmt::format("number {} of {}", number.component + 1, count);
   const int size = side * side, column = number.component % size / side, row = number.component % side;
@@ -176,7 +180,7 @@ std::string probe_table(const std::vector<Numbers>& yours, const std::vector<Num
     return fmt::format("  {:<9}{}{}\n", label, side > 0 ? "\n" : " ",
                        side > 0 ? show_matrices(numbers, side, noise) : show_numbers(numbers));
   };
-  const int side = c.numbers.empty() ? matrix_side(expected) : 0;
+  const int side = matrix_side(expected, c);
   const double noise = c.tolerance.absolute;
   std::string text;
   for (std::size_t i : order) {

@@ -38,9 +38,11 @@ struct ProbeMeasurement {
 ProbeMeasurement measure_probe(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected,
                                const JudgedCase& c);
 
-/// 4 if every expected result of a case without names is a 4x4 matrix (16 numbers) or a list of affine ones (a multiple
-/// of 16 numbers, each fourth row 0 0 0 1), 3 if every one is a 3x3 matrix (9 numbers), otherwise 0.
+/// 4 if every expected result is a 4x4 matrix (16 numbers) or a list of affine ones (a multiple of 16 numbers, each
+/// fourth row 0 0 0 1), 3 if every one is a 3x3 matrix (9 numbers), otherwise 0.
 int matrix_side(const std::vector<Numbers>& expected);
+/// The same for the results of a case: 0 if its numbers have names.
+int matrix_side(const std::vector<Numbers>& expected, const JudgedCase& c);
 
 /// "eye.y" if the case names its numbers; otherwise "number 2 of 3", or in a matrix of `side` rows "row 1, column 4
 /// (m[3][0])", counted from 1 in words and as in GLSL and glm in brackets. Empty for a single number.

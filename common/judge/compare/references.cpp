@@ -108,7 +108,7 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
     references.skeleton_fraction = sidecar.skeleton_fraction;
     references.needs = std::move(sidecar.needs);
     if (c.expected.empty()) references.values = std::move(sidecar.values);
-    for (const Numbers& result : references.values)
+    for (const Numbers& result : references.values)  // those of the case file were checked when it was read
       if (!c.numbers.empty() && result.size() != c.numbers.size())
         throw Error(fmt::format("{}: a result has {} numbers, but 'numbers' of case '{}' names {}", file.string(),
                                 result.size(), c.ask.name, c.numbers.size()));
@@ -137,6 +137,7 @@ CaseReferences StepReferences::load(const JudgedCase& c) const {
     if (references.pictures.empty()) {
       references.skeleton_fraction = sidecar.skeleton_fraction;
       references.needs = sidecar.needs;
+      references.shows = sidecar.atlas;
     }
     references.pictures.push_back(std::move(picture));
   }

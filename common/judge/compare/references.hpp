@@ -22,6 +22,7 @@ struct CaseReferences {
   std::vector<Numbers> values;     ///< of a probe: one list per input
   double skeleton_fraction = 1;    ///< f1 of credit.hpp
   std::vector<std::string> needs;  ///< the students' functions without any one of which the case fails
+  std::vector<std::string> shows;  ///< of a picture: the known mistakes that it would show
 };
 
 /// The answers of known mistakes to one case.

@@ -25,12 +25,14 @@ class CauseFinder {
  public:
   CauseFinder(StepResult& step, const std::vector<JudgedCase>& cases, const StepReferences& references)
       : step_(step), cases_(cases), references_(references) {
-    for (std::size_t i = 0; i < cases_.size(); ++i)
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      needs_.push_back(needs_of(i));
       if (const std::string name = asked_function(i); !name.empty()) {
         Function* known = find(name);
         if (known == nullptr) known = &functions_.emplace_back(Function{.name = name});
         known->probes.push_back(i);
       }
+    }
     for (Function& function : functions_) decide(function);
   }
 
@@ -70,7 +72,7 @@ class CauseFinder {
     return probe ? cases_[i].functions.front() : "";
   }
 
-  std::vector<std::string> needs(std::size_t i) const {
+  std::vector<std::string> needs_of(std::size_t i) const {
     std::vector<std::string> needs = references_.of(cases_[i]).needs;
     if (needs.empty()) needs = cases_[i].functions;
     // What the skeleton's function returns may be right for this probe.
@@ -105,14 +107,14 @@ class CauseFinder {
   }
 
   bool needs_other_wrong_function(std::size_t i, const Function& function) {
-    for (const std::string& name : needs(i))
+    for (const std::string& name : needs_[i])
       if (Function* other = find(name); other != nullptr && other != &function && decide(*other)) return true;
     return false;
   }
 
   /// The wrong function that a failing case needs: written ones first, then the first in order.
   const Function* culprit_of(std::size_t i) const {
-    const std::vector<std::string> needed = needs(i);
+    const std::vector<std::string>& needed = needs_[i];
     const Function* culprit = nullptr;
     for (const Function& function : functions_) {
       if (!*function.wrong || std::find(needed.begin(), needed.end(), function.name) == needed.end()) continue;
@@ -180,7 +182,7 @@ class CauseFinder {
     const auto rank = [&](std::size_t i) {
       const auto share = step_.cases[i].figures.find("share");
       const bool picture = share != step_.cases[i].figures.end();
-      return std::tuple(!picture, needs(i).size(), picture ? -share->second : 0);
+      return std::tuple(!picture, needs_[i].size(), picture ? -share->second : 0);
     };
     std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   }
@@ -205,9 +207,9 @@ class CauseFinder {
   /// The functions that no probe asks and that all these cases need.
   std::vector<std::string> functions_without_probe(const Indices& indices) {
     std::vector<std::string> common;
-    for (const std::string& name : needs(indices.front())) {
+    for (const std::string& name : needs_[indices.front()]) {
       const bool by_all = std::all_of(indices.begin(), indices.end(), [&](std::size_t i) {
-        const auto needed = needs(i);
+        const std::vector<std::string>& needed = needs_[i];
         return std::find(needed.begin(), needed.end(), name) != needed.end();
       });
       if (by_all && find(name) == nullptr) common.push_back(name);
@@ -231,7 +233,8 @@ class CauseFinder {
   StepResult& step_;
   const std::vector<JudgedCase>& cases_;
   const StepReferences& references_;
-  std::vector<Function> functions_;  ///< in the order in which probes ask them
+  std::vector<std::vector<std::string>> needs_;  ///< by case
+  std::vector<Function> functions_;              ///< in the order in which probes ask them
 };
 
 }  // namespace

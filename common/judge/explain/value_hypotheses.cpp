@@ -274,7 +274,7 @@ double worst_misfit(const Operation& operation, const std::vector<Value>& values
 
 std::optional<Hypothesis> explain_values(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected,
                                          const JudgedCase& c) {
-  const int side = c.numbers.empty() ? matrix_side(expected) : 0;
+  const int side = matrix_side(expected, c);
   const std::vector<Value> all = values_of(yours, expected, side);
   std::vector<Value> wrong = all;
   std::erase_if(wrong, [&](const Value& value) { return is_right(value, c.tolerance); });

@@ -120,6 +120,13 @@ std::string first_lines(const std::string& text, int most) {
                                                std::count(text.begin() + std::ptrdiff_t(end) + 1, text.end(), '\n'));
 }
 
+/// What a program, or the compiler, has printed; empty if that is empty.
+std::string quoted_output(const char* of_whom, const std::string& output, const TerminalStyle& style) {
+  if (output.empty()) return {};
+  return painted(fmt::format("  {} output:", of_whom), dim, style) + "\n" +
+         indented(printable(output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+}
+
 std::string explanation(const StepResult& step, std::size_t index, const TerminalStyle& style) {
   constexpr int most_lines = 14;  // of a table, so that the first cause fits a terminal of 40 rows
   const Cause& cause = step.causes[index];
@@ -136,17 +143,8 @@ std::string explanation(const StepResult& step, std::size_t index, const Termina
   if (!shown.table.empty() && !shown.unwritten)
     text += indented(first_lines(printable(shown.table, Layout::keep_lines), most_lines), "    ");
   if (style.heat_maps && shown.evidence) text += indented(ascii_heat_map(shown.evidence->over), "    ");
-  if (!shown.output.empty()) {
-    text += painted("  program output:", dim, style) + "\n";
-    text += indented(printable(shown.output, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
-  }
-  return text;
-}
-
-std::string compiler_output(const StepResult& step, const TerminalStyle& style) {
-  if (step.build_log.empty()) return {};
-  return painted("  compiler output:", dim, style) + "\n" +
-         indented(printable(step.build_log, Layout::keep_lines), style.unicode ? "  \u2502 " : "  | ");
+  const bool no_answer = cause.kind == Cause::Kind::no_answer;
+  return text + quoted_output("program", no_answer ? output_of(shown_group(step, cause)) : shown.output, style);
 }
 
 }  // namespace
@@ -173,14 +171,14 @@ TerminalStyle terminal_style(int descriptor) {
 std::string terminal_report(const StepResult& step, const TerminalStyle& style) {
   std::string text = header(step, style);
   if (style.table) text += step_table(step, style);
-  text += compiler_output(step, style);
+  text += quoted_output("compiler", step.build_log, style);
   for (std::size_t i = 0; i < step.causes.size(); ++i) text += explanation(step, i, style);
   return text;
 }
 
 std::string first_cause_report(const StepResult& step, const TerminalStyle& style) {
   constexpr std::size_t most = 5;
-  std::string text = header(step, style) + compiler_output(step, style);
+  std::string text = header(step, style) + quoted_output("compiler", step.build_log, style);
   if (step.causes.empty()) return text;
   text += explanation(step, 0, style) + (step.causes.size() > 1 ? "\n" : "");
   for (std::size_t i = 1; i < std::min(step.causes.size(), most); ++i) text += printable(headline(step, i)) + "\n";

@@ -99,6 +99,12 @@ std::vector<Remark> remarks(const CaseGroup& group) {
   return common;
 }
 
+CaseGroup shown_group(const StepResult& step, const Cause& cause) {
+  CaseGroup group;
+  for (const std::size_t i : cause.shown) group.push_back(&step.cases[i]);
+  return group;
+}
+
 const CaseResult& shown_case(const StepResult& step, const Cause& cause) {
   return step.cases[(cause.shown.empty() ? cause.waiting : cause.shown).front()];
 }
@@ -144,8 +150,7 @@ std::vector<Remark> remarks(const StepResult& step, const Cause& cause) {
     return list;
   };
   if (cause.kind == Cause::Kind::no_answer) {
-    CaseGroup group;
-    for (const std::size_t i : cause.shown) group.push_back(&step.cases[i]);
+    const CaseGroup group = shown_group(step, cause);
     std::vector<Remark> all = remarks(group);
     if (group.size() > 1) all.insert(all.begin(), {"cases", case_names(group)});
     return all;

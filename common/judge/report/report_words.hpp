@@ -46,6 +46,9 @@ std::string headline(const StepResult& step, std::size_t index);
 /// pictures of the same kind), "seen in" (a picture), "may be in" (functions without a probe), "waiting" (other cases).
 std::vector<Remark> remarks(const StepResult& step, const Cause& cause);
 
+/// All cases of a cause without an answer.
+CaseGroup shown_group(const StepResult& step, const Cause& cause);
+
 /// The case that shows a cause best.
 const CaseResult& shown_case(const StepResult& step, const Cause& cause);
 

@@ -48,13 +48,11 @@ class Step {
     add(probe("near", "near"), {"near"}, {{"halved", {{0.5}, {0.5}}}, {"doubled", {{2}, {2}}}}, {{{0}, {0}}});
     add(probe("far", "far"), {"far", "near"}, {{"halved", {{0.5}, {1}}}}, {{{0}, {0}}});
     for (const char* name : {"hill", "lake"}) {
-      CaseAtlas atlas;
-      for (const char* entry : {"halved", "doubled", "inverted"})
-        atlas.pictures.push_back({entry, Image(1, 1), Image(1, 1)});
       CaseReferences right;
       right.needs = {"blend", "far", "near"};
+      right.shows = {"halved", "doubled", "inverted"};
       cases_.push_back(picture(name));
-      references_.add(name, right, atlas);
+      references_.add(name, right);
       step_.cases.push_back(passed(name));
     }
   }
