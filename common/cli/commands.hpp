@@ -115,7 +115,7 @@ int run_tables(const TablesOptions& options);
 struct MistakeOptions {
   std::string step, name;
   bool begin = false;          ///< make the copy to edit
-  bool spelling = false;       ///< a second spelling of an existing mistake
+  bool spelling = false;       ///< another spelling of an existing mistake
   bool variant = false;        ///< not a mistake but a variant: another correct solution
   std::filesystem::path from;  ///< the edited copy; empty: out/mistake/NN-name
   std::string rebase;          ///< update all patches; they apply to the solution of this git revision
@@ -125,9 +125,10 @@ int run_mistake(const MistakeOptions& options);
 struct MutateOptions {
   std::vector<std::string> steps;
   std::uint64_t seed = 1;
-  int count = 150;          ///< mutants that build, or variants, per step
-  bool preserving = false;  ///< make equivalent code instead, which must keep all points
-  bool last_bits = false;   ///< change earlier steps' results by one unit in the last place; all points must be kept
+  int count = 150;                ///< mutants that build, or variants, per step
+  bool preserving = false;        ///< make equivalent code instead, which must keep all points
+  std::filesystem::path patches;  ///< not empty: instead judge the patches NAME.patch, NAME.*.patch of this folder
+  bool last_bits = false;  ///< change earlier steps' results by one unit in the last place; all points must be kept
 
   bool json = false;
 };

@@ -224,6 +224,11 @@ void describe_mutate(Interface& interface, MutateOptions& options) {
       ->add_flag("--last-bits", options.last_bits,
                  "Change earlier steps' results by one unit in the last place; all points must be kept")
       ->excludes(preserving);
+  mutate
+      ->add_option("--patches", options.patches,
+                   "Judge known mistakes in others' words instead: NAME.*.patch in this folder; say how they are named")
+      ->check(CLI::ExistingDirectory)
+      ->excludes(preserving);
   add_json(mutate, options.json);
 }
 
@@ -233,7 +238,7 @@ void describe_mistake(Interface& interface, MistakeOptions& options) {
   add_step(mistake, options.step);
   mistake->add_option("name", options.name, "Its name, for example half-forgotten");
   auto* begin = mistake->add_flag("--begin", options.begin, "Make the copy to edit");
-  auto* spelling = mistake->add_flag("--spelling", options.spelling, "A second spelling of an existing mistake");
+  auto* spelling = mistake->add_flag("--spelling", options.spelling, "Another spelling of an existing mistake");
   auto* variant = mistake->add_flag("--variant", options.variant, "Not a mistake, but another correct solution");
   auto* from = mistake->add_option("--from", options.from, "The edited copy; default: out/mistake/STEP");
   auto* rebase = mistake->add_option("--rebase", options.rebase,

@@ -1,8 +1,9 @@
 // ./atelier audit: checks that the cases catch every known mistake and accept every right variant.
 //
 // Every known mistake is built and judged like a submission, by the cases that claim to catch it. It must lose points
-// on every one of them. The name that the verdict gives it is taken from its second spelling if there is one, because
-// the atlas was made from the first. Every variant (another right solution) must keep all points.
+// on every one of them. The name that the verdict gives it is taken from its first other spelling if there is one,
+// because the atlas was made from its patch; no spelling may get another mistake's name. Every variant (another right
+// solution) must keep all points.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -134,15 +135,17 @@ MistakeAudit audit_mistake(const Workshop& workshop, const grade::Criteria& crit
   for (const CaseResult& c : result->cases)
     if (!audit.caught_by && loses_points(c)) audit.caught_by = c.name;
 
-  if (mistake.spelling) {
-    const Version other = workshop.patched("spelling-" + mistake.name, *mistake.spelling);
+  if (mistake.spellings.empty()) audit.named = name_given(*result, audit.expected_case);
+  for (const fs::path& patch : mistake.spellings) {
+    const Version other = workshop.patched("spelling-" + patch.stem().string(), patch);
     audit.built = audit.built && other.built;
     result = judge_version(workshop, judge, all_cases, other, audit.trouble);
     if (!result) return audit;
     if (!claims.empty() && broken_claims(*result, claims).size() == claims.size())
-      audit.trouble = "its other spelling is not caught by " + join(claims);
+      audit.trouble = fmt::format("{} is not caught by {}", patch.filename().string(), join(claims));
+    const auto named = name_given(*result, audit.expected_case);
+    if (patch == mistake.spellings.front() || (named && named != mistake.name)) audit.named = named;
   }
-  audit.named = name_given(*result, audit.expected_case);
   if (claims.empty()) audit.trouble = "no case claims to catch it";
   if (!audit.claims_broken.empty()) audit.trouble = "it is not caught by " + join(audit.claims_broken);
   if (audit.named && audit.named != mistake.name) audit.trouble = fmt::format("the verdict calls it {}", *audit.named);

@@ -24,7 +24,11 @@ struct Place {
 
 Place place_of(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options) {
   const fs::path list = options.variant ? folders.variants_file(step.name) : folders.mistakes_file(step.name);
-  return {list.parent_path() / (options.name + (options.spelling ? ".other.patch" : ".patch")), list};
+  const auto beside = [&](const std::string& ending) { return list.parent_path() / (options.name + ending); };
+  if (!options.spelling) return {beside(".patch"), list};
+  fs::path patch = beside(".other.patch");
+  for (int number = 2; fs::exists(patch); ++number) patch = beside(fmt::format(".other-{}.patch", number));
+  return {patch, list};
 }
 
 std::string relative(const ProjectFolders& folders, const fs::path& path) {
@@ -43,7 +47,7 @@ void check_name(const MistakeOptions& options) {
     throw Error(
         fmt::format("mistake '{}': a name has lower-case letters, digits and dashes, at most 64", options.name));
   if (options.variant && options.spelling)
-    throw Error("mistake: --variant and --spelling exclude each other: only a mistake has a second spelling");
+    throw Error("mistake: --variant and --spelling exclude each other: only a mistake has other spellings");
 }
 
 int begin(const ProjectFolders& folders, const CourseStep& step, const MistakeOptions& options,
@@ -76,7 +80,7 @@ std::string listed(const Place& place, const MistakeOptions& options) {
   const std::string text = fs::exists(place.list) ? read_file(place.list, 1 << 20) : std::string();
   const std::string file = place.list.string();
   if (text.find('"' + place.patch.filename().string() + '"') != text.npos) return text;
-  if (options.spelling) return with_spelling(text, options.name, file);
+  if (options.spelling) return with_spelling(text, options.name, place.patch.filename().string(), file);
   return with_entry(text, options.variant ? variant_entry(options.name) : mistake_entry(options.name), file);
 }
 

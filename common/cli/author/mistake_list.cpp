@@ -30,14 +30,19 @@ std::string variant_entry(const std::string& name) {
                      name, to_be_written, name);
 }
 
-std::string with_spelling(const std::string& text, const std::string& name, const std::string& file) {
+std::string with_spelling(const std::string& text, const std::string& name, const std::string& spelling,
+                          const std::string& file) {
   const std::string patch = fmt::format("\"patch\": \"{}.patch\"", name);
   const std::size_t at = text.find(patch);
   if (at == text.npos)
     throw Error(
         fmt::format("{}: there is no mistake with {}; make it first, by ./atelier mistake NN {}", file, patch, name));
-  return text.substr(0, at + patch.size()) + fmt::format(",\n    \"spelling\": \"{}.other.patch\"", name) +
-         text.substr(at + patch.size());
+  const std::string before = text.substr(0, at + patch.size()), after = text.substr(at + patch.size());
+  const std::string list = ",\n    \"spellings\": [";
+  if (!after.starts_with(list)) return fmt::format("{}{}\"{}\"]{}", before, list, spelling, after);
+  const std::size_t end = after.find(']');
+  if (end == after.npos) throw Error(fmt::format("{}: the list of spellings of '{}' does not end", file, name));
+  return fmt::format("{}{}, \"{}\"{}", before, after.substr(0, end), spelling, after.substr(end));
 }
 
 }  // namespace atelier

@@ -16,8 +16,9 @@ std::string with_entry(const std::string& text, const std::string& entry, const 
 std::string mistake_entry(const std::string& name);
 std::string variant_entry(const std::string& name);
 
-/// The list with a second spelling, NAME.other.patch, added to the mistake `name`. Throws Error naming `file` if there
-/// is no such mistake.
-std::string with_spelling(const std::string& text, const std::string& name, const std::string& file);
+/// The list with another spelling, a patch file, added to the mistake `name`. Throws Error naming `file` if there is no
+/// such mistake.
+std::string with_spelling(const std::string& text, const std::string& name, const std::string& spelling,
+                          const std::string& file);
 
 }  // namespace atelier

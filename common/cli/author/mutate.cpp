@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -70,6 +71,27 @@ class Field {
                           std::make_move_iterator(trials.end()));
       next = end;
     }
+    return tried;
+  }
+
+  /// Known mistakes in others' words: NAME.patch and NAME.*.patch in FOLDER or FOLDER/NN-name.
+  StepTrials spellings(const fs::path& folder) const {
+    StepTrials tried{step_.name, {}};
+    const fs::path own = folder / step_.name;
+    for (const auto& entry : fs::directory_iterator(fs::is_directory(own) ? own : folder))
+      if (entry.path().extension() == ".patch")
+        tried.trials.push_back({.mutant = {.id = entry.path().filename().string(), .kind = "spelling"}});
+    if (tried.trials.empty()) throw Error(fmt::format("{}: has no .patch files", folder.string()));
+    std::sort(tried.trials.begin(), tried.trials.end(),
+              [](const Trial& a, const Trial& b) { return a.mutant.id < b.mutant.id; });
+    for_each_parallel(tried.trials.size(), worker_threads(), [&](std::size_t i) {
+      Trial& trial = tried.trials[i];
+      const fs::path patch = (fs::is_directory(own) ? own : folder) / trial.mutant.id;
+      const Version version = workshop_.patched("given-" + patch.stem().string(), patch);
+      judge_mutant(version, trial);
+      if (trial.fate == Fate::not_built) trial.why = version.log;
+      fs::remove_all(version.code.sources);
+    });
     return tried;
   }
 
@@ -175,8 +197,37 @@ class Field {
 
 // --- What is said ---
 
+/// Whether a verdict calls a spelling by its mistake's name; nothing if by none.
+std::optional<bool> named_rightly(const Trial& trial) {
+  if (trial.named.empty()) return std::nullopt;
+  const std::string mistake = trial.mutant.id.substr(0, trial.mutant.id.find('.'));
+  return trial.named.size() == 1 && trial.named.contains(mistake);
+}
+
+bool is_spelling(const Trial& trial) {
+  return trial.mutant.kind == "spelling";
+}
+
 bool falls_short(const Trial& trial) {
-  return trial.fate == Fate::survived || trial.fate == Fate::failed;
+  return trial.fate == Fate::survived || trial.fate == Fate::failed ||
+         (is_spelling(trial) && (trial.fate == Fate::not_built || !named_rightly(trial).value_or(true)));
+}
+
+void print_spellings(const StepTrials& tried) {
+  const auto count = [&](std::optional<bool> rightly) {
+    return std::count_if(tried.trials.begin(), tried.trials.end(),
+                         [&](const Trial& t) { return t.fate == Fate::caught && named_rightly(t) == rightly; });
+  };
+  fmt::print("\n{}: {} spellings, {} caught; {} named rightly, {} wrongly, {} not named\n", tried.step,
+             tried.trials.size(), tried.count(Fate::caught), count(true), count(false), count(std::nullopt));
+  for (const Trial& trial : tried.trials) {
+    std::vector<std::string> names;
+    for (const auto& [name, cases] : trial.named) names.push_back(name);
+    if (trial.fate != Fate::caught)
+      fmt::print("  {:<40} {}\n{}", trial.mutant.id, to_string(trial.fate), trial.why);
+    else if (!named_rightly(trial).value_or(false))
+      fmt::print("  {:<40} {}\n", trial.mutant.id, names.empty() ? "-" : fmt::format("{}", fmt::join(names, ", ")));
+  }
 }
 
 void print_step(const StepTrials& tried, bool mutants) {
@@ -232,7 +283,9 @@ int run_mutate(const MutateOptions& options) {
   for (const CourseStep& step : resolve_steps(course, options.steps)) {
     const Field field(folders, step);
     StepTrials tried{step.name, {}};
-    if (options.last_bits) {
+    if (!options.patches.empty()) {
+      tried = field.spellings(options.patches);
+    } else if (options.last_bits) {
       if (step.uses.empty()) continue;
       constexpr int seeds = 3;
       for (int i = 0; i < seeds; ++i) tried.trials.push_back(field.last_bits(course, options.seed + std::uint64_t(i)));
@@ -243,6 +296,8 @@ int run_mutate(const MutateOptions& options) {
     short_of = short_of || std::any_of(tried.trials.begin(), tried.trials.end(), falls_short);
     if (options.json)
       all.push_back(to_json(tried, options.seed));
+    else if (!options.patches.empty())
+      print_spellings(tried);
     else
       print_step(tried, !options.preserving && !options.last_bits);
   }

@@ -48,7 +48,8 @@ struct ReferenceRow {
 struct Drawn {
   std::vector<Answer> solution, skeleton, truths;
   std::map<std::string, std::vector<Answer>> mistakes, without;
-  std::map<std::string, std::vector<Answer>> spellings;  ///< of mistakes, to probes; the answers to pictures are empty
+  /// By mistake and spelling, to probes; the answers to pictures are empty.
+  std::map<std::string, std::vector<std::vector<Answer>>> spellings;
 };
 
 std::vector<Answer> draw(const Workshop& workshop, const Version& version, const std::vector<JudgedCase>& cases) {
@@ -64,24 +65,28 @@ void require_answer(const std::string& mistake, const std::vector<Answer>& answe
     throw Error(fmt::format("mistake '{}' does not run: {}", mistake, answers.front().error));
 }
 
-/// The answers of second spellings to the probes.
+/// The answers of other spellings to the probes.
 void draw_spellings(const Workshop& workshop, const std::vector<judge::Mistake>& mistakes,
                     const std::vector<JudgedCase>& cases, Drawn& drawn) {
   std::vector<JudgedCase> probes;
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < cases.size(); ++i)
     if (cases[i].profile == judge::Profile::values) probes.push_back(cases[i]), places.push_back(i);
-  std::vector<const judge::Mistake*> spelled;
-  for (const judge::Mistake& mistake : mistakes)
-    if (mistake.spelling && !probes.empty()) {
-      spelled.push_back(&mistake);
-      drawn.spellings[mistake.name].resize(cases.size());
-    }
+  if (probes.empty()) return;
+  struct Spelled {
+    const fs::path& patch;
+    std::vector<Answer>& answers;
+  };
+  std::vector<Spelled> spelled;
+  for (const judge::Mistake& mistake : mistakes) {
+    auto& answers = drawn.spellings[mistake.name];
+    answers.assign(mistake.spellings.size(), std::vector<Answer>(cases.size()));
+    for (std::size_t k = 0; k < answers.size(); ++k) spelled.push_back({mistake.spellings[k], answers[k]});
+  }
   for_each_parallel(spelled.size(), worker_threads(), [&](std::size_t i) {
-    const Version version = workshop.patched("spelling-" + spelled[i]->name, *spelled[i]->spelling);
+    const Version version = workshop.patched("spelling-" + spelled[i].patch.stem().string(), spelled[i].patch);
     std::vector<Answer> answers = draw(workshop, version, probes);
-    for (std::size_t k = 0; k < places.size(); ++k)
-      drawn.spellings.at(spelled[i]->name)[places[k]] = std::move(answers[k]);
+    for (std::size_t k = 0; k < places.size(); ++k) spelled[i].answers[places[k]] = std::move(answers[k]);
   });
 }
 
@@ -113,7 +118,8 @@ judge::ReferenceMaterial material_of(const Drawn& drawn, std::size_t index, cons
   judge::ReferenceMaterial material{
       .solution = drawn.solution[index], .truth = drawn.truths[index], .skeleton = drawn.skeleton[index]};
   for (const auto& [name, answers] : drawn.mistakes) material.mistakes[name] = answers[index];
-  for (const auto& [name, answers] : drawn.spellings) material.spellings[name] = answers[index];
+  for (const auto& [name, spellings] : drawn.spellings)
+    for (const auto& answers : spellings) material.spellings[name].push_back(answers[index]);
   for (const auto& [name, answers] : drawn.without) material.without[name] = answers[index];
   for (const char* key : {"driver", "cpu"}) material.environment[key] = environment.at(key);
   return material;

@@ -140,7 +140,7 @@ Problems problems_of_mistakes(const ProjectFolders& folders, const CourseStep& s
       problems.push_back(
           fmt::format("{}: something is still '{}...'", list.lexically_relative(folders.root).string(), to_be_written));
   for (const judge::Mistake& mistake : judge::read_mistakes(folders.mistakes_file(step.name)))
-    if (!mistake.spelling)
+    if (mistake.spellings.empty())
       problems.push_back(fmt::format(
           "tests/mistakes/{}/mistakes.json: '{}' has no second spelling: ./atelier mistake {} {} --spelling --begin",
           step.name, mistake.name, step.number(), mistake.name));

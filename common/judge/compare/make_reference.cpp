@@ -255,11 +255,15 @@ void write_values(const std::filesystem::path& folder, const JudgedCase& c, cons
   const auto is_wrong = [&](const Answer& answer) {
     return comparable(c, answer, correct) && margin_of(c, answer, correct) >= 1;
   };
-  for (const auto& [mistake, answer] : material.mistakes)
-    if (is_wrong(answer)) wrong.mistakes[mistake] = *answer.values;
-  for (const auto& [mistake, answer] : material.spellings)
-    if (comparable(c, answer, correct))
-      wrong.mistakes[other_form(mistake)] = is_wrong(answer) ? *answer.values : std::vector<Numbers>();
+  for (const auto& [mistake, answer] : material.mistakes) {
+    std::map<std::string, const Answer*> forms{{mistake, &answer}};
+    if (const auto found = material.spellings.find(mistake); found != material.spellings.end())
+      for (std::size_t k = 0; k < found->second.size(); ++k) forms[form_of_spelling(mistake, k)] = &found->second[k];
+    std::erase_if(forms, [&](const auto& form) { return !comparable(c, *form.second, correct); });
+    if (std::none_of(forms.begin(), forms.end(), [&](const auto& form) { return is_wrong(*form.second); })) continue;
+    for (const auto& [form, given] : forms)
+      wrong.mistakes[form] = is_wrong(*given) ? *given->values : std::vector<Numbers>();
+  }
   const auto add_unwritten = [&](const Answer& answer) {
     if (is_wrong(answer) &&
         std::find(wrong.unwritten.begin(), wrong.unwritten.end(), *answer.values) == wrong.unwritten.end())

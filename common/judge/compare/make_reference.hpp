@@ -18,11 +18,11 @@ inline constexpr double min_margin = 2;
 /// All answers to one case, and the environment that they were drawn in.
 struct ReferenceMaterial {
   Answer solution;
-  std::optional<Answer> truth{};            ///< of a budget case: the oracle's picture, which is its reference
-  std::optional<Answer> skeleton;           ///< the untouched skeleton's; none: assumed to fail everywhere
-  std::map<std::string, Answer> mistakes;   ///< of every mistake of the step, claimed by this case or not
-  std::map<std::string, Answer> spellings;  ///< by mistake: of its second spelling, to a probe
-  std::map<std::string, Answer> without;    ///< by function: of the solution with this function as in the skeleton
+  std::optional<Answer> truth{};           ///< of a budget case: the oracle's picture, which is its reference
+  std::optional<Answer> skeleton;          ///< the untouched skeleton's; none: assumed to fail everywhere
+  std::map<std::string, Answer> mistakes;  ///< of every mistake of the step, claimed by this case or not
+  std::map<std::string, std::vector<Answer>> spellings;  ///< by mistake: of its other spellings, to a probe
+  std::map<std::string, Answer> without;  ///< by function: of the solution with this function as in the skeleton
   std::map<std::string, std::string> environment;  ///< "driver", "cpu" ...
 };
 

@@ -27,6 +27,13 @@ fs::path patch_beside(const fs::path& list, const Json& value, const std::string
   return path;
 }
 
+std::vector<fs::path> patches_beside(const fs::path& list, const Json& value, const std::string& where) {
+  if (!value.is_array()) strict_json::refuse(value, where, "a list of .patch files beside the list");
+  std::vector<fs::path> patches;
+  for (const Json& name : value) patches.push_back(patch_beside(list, name, where));
+  return patches;
+}
+
 /// Reads every object of the list into an `Item`: checks its members, reads its unique name, its title and its patch,
 /// then calls `read(item, object, where)` for the rest.
 template <class Item, class Read>
@@ -79,13 +86,13 @@ std::string run_patch(const fs::path& patch, const fs::path& folder) {
 }  // namespace
 
 std::vector<Mistake> read_mistakes(const fs::path& file, Patches patches) {
-  const std::vector<std::string> members{"name", "title", "sentence", "hint", "patch", "spelling"};
+  const std::vector<std::string> members{"name", "title", "sentence", "hint", "patch", "spellings"};
   return read_list<Mistake>(
       file, members, patches, [&](Mistake& mistake, const Json& object, const std::string& where) {
         mistake.sentence = strict_json::text(strict_json::required(object, "sentence", where), where + ": sentence");
         mistake.hint = strict_json::text(strict_json::required(object, "hint", where), where + ": hint");
-        if (const Json* spelling = strict_json::optional(object, "spelling"))
-          mistake.spelling = patch_beside(file, *spelling, where + ": spelling");
+        if (const Json* spellings = strict_json::optional(object, "spellings"))
+          mistake.spellings = patches_beside(file, *spellings, where + ": spellings");
       });
 }
 

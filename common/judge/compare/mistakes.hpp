@@ -5,7 +5,7 @@
 //                                             "sentence": "The highlight follows the mirrored direction ...",
 //                                             "hint": "Which vector does the contract ask the exponent of?",
 //                                             "patch": "rv-for-nh.patch",
-//                                             "spelling": "rv-for-nh.other.patch"}, ...]   ("spelling" may be absent)
+//                                             "spellings": ["rv-for-nh.other.patch"]}, ...]   (may be absent)
 //   tests/variants/NN-name/variants.json    [{"name": "...", "title": "...", "patch": "....patch"}, ...]
 //
 // Releases for students (cli/grader/release.cpp) have no patches.
@@ -15,19 +15,18 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 namespace atelier::judge {
 
 struct Mistake {
-  std::string name;                               ///< [a-z0-9-]+, at most 64
-  std::string title;                              ///< for tables
-  std::string sentence;                           ///< what a student reads if an answer looks like this mistake
-  std::string hint;                               ///< what to try next
-  std::filesystem::path patch;                    ///< turns the solution into the mistake; empty if optional and absent
-  std::optional<std::filesystem::path> spelling;  ///< the same mistake written differently, to test recognition
+  std::string name;                              ///< [a-z0-9-]+, at most 64
+  std::string title;                             ///< for tables
+  std::string sentence;                          ///< what a student reads if an answer looks like this mistake
+  std::string hint;                              ///< what to try next
+  std::filesystem::path patch;                   ///< turns the solution into the mistake; empty if optional and absent
+  std::vector<std::filesystem::path> spellings;  ///< the same mistake written differently, to recognise more forms
 };
 
 struct Variant {

@@ -51,19 +51,21 @@ void write_sidecar(const std::filesystem::path& file, const Sidecar& sidecar);
 /// Throws Error if `sidecar` was made for another case, or for other tolerances than `c` has now.
 void check_sidecar(const Sidecar& sidecar, const JudgedCase& c, const std::filesystem::path& file);
 
-/// A mistake's second spelling may return other numbers than its first: it is another form of the same mistake.
-inline std::string other_form(const std::string& mistake) {
-  return mistake + "~other";
+/// Another spelling of a mistake may return other numbers than its patch: it is another form of the same mistake.
+/// "gamma-twice~1" is the form of its first spelling.
+inline std::string form_of_spelling(const std::string& mistake, std::size_t spelling) {
+  return mistake + "~" + std::to_string(spelling + 1);
 }
-/// "gamma-twice" for both of its forms.
+/// "gamma-twice" for all of its forms.
 inline std::string mistake_of_form(const std::string& form) {
   return form.substr(0, form.find('~'));
 }
 
 /// Wrong answers to a probe.
 struct WrongValues {
-  std::map<std::string, std::vector<Numbers>> mistakes;  ///< by form; empty: another form that the probe does not see
-  std::vector<std::vector<Numbers>> unwritten;           ///< without the probe's function, alone and in the skeleton
+  /// By form, all forms of a mistake or none; empty: the probe does not see this form.
+  std::map<std::string, std::vector<Numbers>> mistakes;
+  std::vector<std::vector<Numbers>> unwritten;  ///< without the probe's function, alone and in the skeleton
 };
 WrongValues read_wrong_values(const std::filesystem::path& file);
 void write_wrong_values(const std::filesystem::path& file, const WrongValues& values);

@@ -1,6 +1,7 @@
 #include "judge/explain/agreement.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "judge/explain/causes.hpp"
 
@@ -11,8 +12,15 @@ bool is_probe(const JudgedCase& c) {
   return c.profile == Profile::values;
 }
 
-bool could_be(const CaseResult& result, const std::string& mistake) {
-  return std::find(result.could_be.begin(), result.could_be.end(), mistake) != result.could_be.end();
+std::string asked_first(const JudgedCase& c) {
+  return c.functions.empty() ? std::string() : c.functions.front();
+}
+
+/// The known mistakes that an answer could be, each once.
+std::set<std::string> mistakes_of(const CaseResult& result) {
+  std::set<std::string> mistakes;
+  for (const std::string& form : result.could_be) mistakes.insert(mistake_of_form(form));
+  return mistakes;
 }
 
 /// Whether there is enough to see in an answer.
@@ -27,52 +35,56 @@ Agreement::Agreement(const std::vector<CaseResult>& results, const std::vector<J
                      const StepReferences& references)
     : results_(results), cases_(cases), references_(references) {}
 
-Agreement::Witness Agreement::witness(const std::string& form, std::size_t index) const {
+Agreement::Witness Agreement::witness(const std::string& mistake, const std::string& function,
+                                      std::size_t index) const {
   const CaseResult& result = results_[index];
   if (result.status != Status::passed && result.status != Status::failed) return Witness::none;
   if (is_probe(cases_[index])) {
-    const auto& known = references_.atlas(cases_[index]).values.mistakes;
-    const auto found = known.find(form);
-    if (found == known.end() || found->second.empty()) return Witness::none;
-    return could_be(result, form) ? Witness::agrees : Witness::contradicts;
+    bool known = false, unseen = false;  // by the probe
+    for (const auto& [form, answer] : references_.atlas(cases_[index]).values.mistakes) {
+      if (mistake_of_form(form) != mistake) continue;
+      known = true;
+      unseen = unseen || answer.empty();
+    }
+    if (result.status == Status::passed && (!known || unseen)) return Witness::none;
+    if (!known)
+      return !function.empty() && asked_first(cases_[index]) == function ? Witness::contradicts : Witness::none;
+    return mistakes_of(result).contains(mistake) ? Witness::agrees : Witness::contradicts;
   }
   if (result.status != Status::passed) return Witness::none;                    // other mistakes may hide it
   const std::vector<std::string>& shows = references_.of(cases_[index]).shows;  // need not decode the atlas
-  const bool would_change = std::find(shows.begin(), shows.end(), mistake_of_form(form)) != shows.end();
+  const bool would_change = std::find(shows.begin(), shows.end(), mistake) != shows.end();
   return would_change ? Witness::contradicts : Witness::none;
 }
 
-Agreement::Witness Agreement::witness(const std::string& form) const {
-  Witness all = Witness::none;
+Agreement::Witness Agreement::witness(const std::string& mistake, const std::string& function) const {
+  Witness probes = Witness::none, pictures = Witness::none;
+  bool as_drawn = true;  // the pictures of mistakes are those of their patches, not of other spellings
   for (std::size_t i = 0; i < results_.size(); ++i) {
-    const Witness one = witness(form, i);
+    const Witness one = witness(mistake, function, i);
+    if (one == Witness::none) continue;
+    if (!is_probe(cases_[i])) {
+      pictures = one;
+      continue;
+    }
     if (one == Witness::contradicts) return one;
-    if (one == Witness::agrees) all = one;
+    probes = one;
+    const std::vector<std::string>& forms = results_[i].could_be;
+    as_drawn = as_drawn && std::find(forms.begin(), forms.end(), mistake) != forms.end();
   }
-  return all;
-}
-
-std::vector<std::string> Agreement::forms_of(std::size_t index) const {
-  std::vector<std::string> forms = results_[index].could_be;
-  if (is_probe(cases_[index])) return forms;
-  for (const std::string& mistake : results_[index].could_be) {
-    const bool has_other = std::any_of(cases_.begin(), cases_.end(), [&](const JudgedCase& c) {
-      return is_probe(c) && references_.atlas(c).values.mistakes.contains(other_form(mistake));
-    });
-    if (has_other) forms.push_back(other_form(mistake));
-  }
-  return forms;
+  return pictures == Witness::contradicts && as_drawn ? pictures : probes;
 }
 
 std::string Agreement::name_of(std::size_t index, bool waits) const {
   const CaseResult& result = results_[index];
   if (result.status != Status::failed || result.unwritten || !is_plain(result)) return {};
   std::string name;
-  for (const std::string& form : forms_of(index)) {
-    const Witness others = witness(form);
+  const std::string function = is_probe(cases_[index]) ? asked_first(cases_[index]) : std::string();
+  for (const std::string& mistake : mistakes_of(result)) {
+    const Witness others = witness(mistake, function);
     if (others == Witness::contradicts || (waits && others == Witness::none)) continue;
-    if (!name.empty() && name != mistake_of_form(form)) return {};
-    name = mistake_of_form(form);
+    if (!name.empty()) return {};
+    name = mistake;
   }
   return name;
 }

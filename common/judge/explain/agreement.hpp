@@ -23,11 +23,10 @@ class Agreement {
 
  private:
   enum class Witness { none, agrees, contradicts };
-  /// What all cases say about a form of a mistake (compare/sidecar.hpp).
-  Witness witness(const std::string& form) const;
-  Witness witness(const std::string& form, std::size_t index) const;
-  /// The forms that an answer could be: of a picture, all forms of its mistake.
-  std::vector<std::string> forms_of(std::size_t index) const;
+  /// What all cases say about a mistake: any of its forms may explain a probe (compare/sidecar.hpp). It must explain
+  /// all failing probes that ask `function` first.
+  Witness witness(const std::string& mistake, const std::string& function) const;
+  Witness witness(const std::string& mistake, const std::string& function, std::size_t index) const;
 
   const std::vector<CaseResult>& results_;
   const std::vector<JudgedCase>& cases_;

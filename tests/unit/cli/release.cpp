@@ -95,7 +95,7 @@ struct Project {
     write("tests/cases/02-light/references/lit.values.json", "{}");
     write("tests/mistakes/01-move/mistakes.json",
           R"([{"name": "backwards", "title": "B", "sentence": "It looks.", "hint": "Look.",
-               "patch": "backwards.patch", "spelling": "backwards.other.patch"}])");
+               "patch": "backwards.patch", "spellings": ["backwards.other.patch"]}])");
     for (const char* name :
          {"mistakes/01-move/backwards.patch", "mistakes/01-move/backwards.other.patch", "variants/01-move/loop.patch"})
       write(std::string("tests/") + name, secret);

@@ -73,19 +73,21 @@ TEST_CASE("entries are added to a list, and nothing else is changed") {
   const std::string one = with_entry("", mistake_entry("first-one"), "mistakes.json");
   const std::string two = with_entry(one, mistake_entry("second-one"), "mistakes.json");
   CHECK(two.starts_with(one.substr(0, one.size() - 3)));
-  const std::string spelt = with_spelling(two, "first-one", "mistakes.json");
+  const std::string once = with_spelling(two, "first-one", "first-one.other.patch", "mistakes.json");
+  const std::string spelt = with_spelling(once, "first-one", "first-one.other-2.patch", "mistakes.json");
   const TemporaryFolder folder;
-  for (const char* patch : {"first-one.patch", "first-one.other.patch", "second-one.patch"})
+  for (const char* patch : {"first-one.patch", "first-one.other.patch", "first-one.other-2.patch", "second-one.patch"})
     write_file(folder.path() / patch, std::string_view("-"));
   write_file(folder.path() / "mistakes.json", spelt);
   const auto mistakes = judge::read_mistakes(folder.path() / "mistakes.json");
   REQUIRE(mistakes.size() == 2);
-  CHECK(mistakes[0].spelling);
-  CHECK_FALSE(mistakes[1].spelling);
+  CHECK(mistakes[0].spellings.size() == 2);
+  CHECK(mistakes[1].spellings.empty());
   CHECK(mistakes[1].hint.starts_with(to_be_written));
 
   write_file(folder.path() / "variants.json", with_entry("", variant_entry("first-one"), "variants.json"));
   CHECK(judge::read_variants(folder.path() / "variants.json").size() == 1);
-  CHECK(mentions(error_of([&] { with_spelling(two, "third-one", "mistakes.json"); }), {"mistakes.json", "third-one"}));
+  CHECK(mentions(error_of([&] { with_spelling(two, "third-one", "x.patch", "mistakes.json"); }),
+                 {"mistakes.json", "third-one"}));
   CHECK(mentions(error_of([] { with_entry("{", "x", "mistakes.json"); }), {"mistakes.json", "list"}));
 }

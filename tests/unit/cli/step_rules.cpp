@@ -82,7 +82,7 @@ TEST_CASE("missing second spellings, variants and texts are reported") {
     std::string text = entry;
     return text.replace(text.find("SPELLING"), 8, spelling);
   };
-  made.put("tests/mistakes/05-mist/mistakes.json", with(R"(, "spelling": "thick.other.patch")"));
+  made.put("tests/mistakes/05-mist/mistakes.json", with(R"(, "spellings": ["thick.other.patch"])"));
   CHECK(asks(problems_of_mistakes(made.folders, made.step), {"variants.json is missing", "--variant --begin"}));
   made.put("tests/variants/05-mist/variants.json", with_entry("", variant_entry("thin"), "variants.json"));
   CHECK(asks(problems_of_mistakes(made.folders, made.step), {"variants.json", "TO BE WRITTEN"}));

@@ -44,9 +44,16 @@ Mistake mistake(const std::string& name) {
 /// Verdicts as judge_case gives them, on answers that a test chooses.
 class Step {
  public:
-  Step() : references_("05-mist", {mistake("halved"), mistake("doubled"), mistake("inverted")}) {
-    add(probe("near", "near"), {"near"}, {{"halved", {{0.5}, {0.5}}}, {"doubled", {{2}, {2}}}}, {{{0}, {0}}});
-    add(probe("far", "far"), {"far", "near"}, {{"halved", {{0.5}, {1}}}}, {{{0}, {0}}});
+  Step() : references_("05-mist", {mistake("halved"), mistake("doubled"), mistake("inverted"), mistake("split")}) {
+    add(probe("near", "near"), {"near"},
+        {{"halved", {{0.5}, {0.5}}},
+         {"doubled", {{2}, {2}}},
+         {"doubled~1", {{3}, {3}}},
+         {"split", {{4}, {4}}},
+         {"split~1", {}}},
+        {{{0}, {0}}});
+    add(probe("far", "far"), {"far", "near"},
+        {{"halved", {{0.5}, {1}}}, {"split", {{5}, {5}}}, {"split~1", {{6}, {6}}}}, {{{0}, {0}}});
     for (const char* name : {"hill", "lake"}) {
       CaseReferences right;
       right.needs = {"blend", "far", "near"};
@@ -56,6 +63,9 @@ class Step {
       step_.cases.push_back(passed(name));
     }
   }
+
+  /// A second probe of the function near, which "split" does not change.
+  void ask_near_again() { add(probe("near-again", "near"), {"near"}, {}, {{{0}, {0}}}); }
 
   void answer(const std::string& name, const Values& values) {
     const std::size_t i = index(name);
@@ -229,6 +239,38 @@ TEST_CASE("a mistake is named only if no other answer contradicts it") {
     step.explained();
     CHECK(step.of("near").could_be == std::vector<std::string>{"halved"});
     CHECK_FALSE(step.of("near").mistake.has_value());
+  }
+  SECTION("another probe of the same function fails for another reason") {
+    Step step;
+    step.answer("near", {{4}, {4}});
+    step.answer("far", {{5}, {5}});
+    step.ask_near_again();
+    step.answer("near-again", {{9}, {9}});
+    step.explained();
+    CHECK_FALSE(step.of("near").mistake.has_value());
+  }
+  SECTION("each probe may return the numbers of another form") {
+    Step step;
+    step.answer("near", {{4}, {4}});
+    step.answer("far", {{6}, {6}});
+    step.explained();
+    CHECK(step.of("near").mistake == "split");
+    Step half;
+    half.answer("far", {{6}, {6}});
+    half.explained();
+    CHECK(half.of("far").mistake == "split");  // this form does not change the other probe
+  }
+  SECTION("a picture that passes says nothing of other forms than the one that was drawn") {
+    Step drawn;
+    drawn.draw("hill", "");
+    drawn.answer("near", {{2}, {2}});
+    drawn.explained();
+    CHECK_FALSE(drawn.of("near").mistake.has_value());  // lake passes, which "doubled" would change
+    Step other;
+    other.draw("hill", "");
+    other.answer("near", {{3}, {3}});
+    other.explained();
+    CHECK(other.of("near").mistake == "doubled");
   }
   SECTION("all probes return its numbers") {
     Step step;

@@ -54,8 +54,8 @@ std::string mistake(const std::string& change_from = "", const std::string& chan
 }  // namespace
 
 TEST_CASE("mistakes and variants are read") {
-  const Lists lists("[" + mistake() + ", " + mistake("\"name\": \"a\"", R"("spelling": "b.patch", "name": "b-2")") +
-                    "]");
+  const Lists lists("[" + mistake() + ", " +
+                    mistake("\"name\": \"a\"", R"("spellings": ["b.patch", "a.patch"], "name": "b-2")") + "]");
   const auto mistakes = read_mistakes(lists.file);
   REQUIRE(mistakes.size() == 2);
   CHECK(mistakes[0].name == "a");
@@ -63,8 +63,9 @@ TEST_CASE("mistakes and variants are read") {
   CHECK(mistakes[0].sentence == "You forgot it.");
   CHECK(mistakes[0].hint == "Look.");
   CHECK(mistakes[0].patch == lists.folder.path() / "a.patch");
-  CHECK(!mistakes[0].spelling);
-  CHECK(mistakes[1].spelling == lists.folder.path() / "b.patch");
+  CHECK(mistakes[0].spellings.empty());
+  REQUIRE(mistakes[1].spellings.size() == 2);
+  CHECK(mistakes[1].spellings[0] == lists.folder.path() / "b.patch");
 
   const Lists others(R"([{"name": "other-order", "title": "The sum is taken from behind", "patch": "b.patch"}])");
   const auto variants = read_variants(others.file);
@@ -106,7 +107,12 @@ TEST_CASE("broken lists are refused with the place and the reason") {
       {"another ending", "[" + mistake("a.patch", "notes.txt") + "]", {"'a': patch", ".patch file"}},
       {"elsewhere", "[" + mistake("a.patch", "../a.patch") + "]", {"'a': patch", "beside the list"}},
       {"absolute", "[" + mistake("a.patch", "/a.patch") + "]", {"'a': patch", "beside the list"}},
-      {"missing spelling", "[" + mistake("\"a\"", R"("a", "spelling": "c.patch")") + "]", {"'a': spelling", "c.patch"}},
+      {"missing spelling",
+       "[" + mistake("\"a\"", R"("a", "spellings": ["c.patch"])") + "]",
+       {"'a': spellings", "c.patch"}},
+      {"spelling without a list",
+       "[" + mistake("\"a\"", R"("a", "spellings": "b.patch")") + "]",
+       {"'a': spellings", "b.patch", "list"}},
   };
   for (const Row& row : rows) {
     INFO(row.name);
