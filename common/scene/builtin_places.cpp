@@ -3,6 +3,7 @@
 
 #include "scene/builder.hpp"
 #include "scene/builtin_scenes.hpp"
+#include "scene/relief.hpp"
 #include "scene/shapes.hpp"
 #include "scene/textures.hpp"
 
@@ -109,7 +110,7 @@ Scene room() {
 Scene hall() {
   Scene scene;
   constexpr float radius = 6, height = 4.5f;
-  const BrickTextures bricks = make_bricks({.size = 256});
+  const Relief bricks = make_bricks({.size = 256});
   const int brick = add_material(scene, {.name = "bricks",
                                          .diffuse = glm::vec3(0.95f),
                                          .diffuse_texture = add_texture(scene, "bricks", bricks.colour),

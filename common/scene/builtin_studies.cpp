@@ -4,6 +4,7 @@
 
 #include "scene/builder.hpp"
 #include "scene/builtin_scenes.hpp"
+#include "scene/relief.hpp"
 #include "scene/shapes.hpp"
 #include "scene/textures.hpp"
 
@@ -66,7 +67,7 @@ Scene sphere() {
 Scene primitives() {
   Scene scene;
   add_checker_floor(scene, 14, {0.42f, 0.42f, 0.4f}, {0.28f, 0.29f, 0.3f});
-  const BrickTextures bricks = make_bricks({.size = 256});
+  const Relief bricks = make_bricks({.size = 256});
   const auto textured = [&](const char* name, Image pixels, float gloss) {
     const int texture = add_texture(scene, name, std::move(pixels));
     return add_material(scene, {.name = name,

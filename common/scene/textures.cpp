@@ -8,14 +8,14 @@
 
 #include "base/error.hpp"
 #include "scene/noise.hpp"
+#include "scene/texture_detail.hpp"
 
 namespace atelier {
-namespace {
 
-void require(const char* texture, const char* name, double value, double low, double high) {
-  if (!(value >= low && value <= high))
-    throw Error(fmt::format("{}: {} {} (allowed: {}..{})", texture, name, value, low, high));
-}
+using texture_detail::ramp;
+using texture_detail::require;
+
+namespace {
 
 glm::dvec3 rgb(const Rgba& c) {
   return {c.r, c.g, c.b};
@@ -32,12 +32,6 @@ Image paint(int size, const Colour& colour) {
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) image.at(x, y) = pixel(colour((x + 0.5) / size, 1 - (y + 0.5) / size));
   return image;
-}
-
-/// 0 below `low`, 1 above `high`, a smooth step in between.
-double smooth(double low, double high, double x) {
-  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
 }
 
 double fraction(double x) {
@@ -89,7 +83,7 @@ Image make_dots(const DotsTexture& texture) {
     const double row = std::floor(v * texture.dots);
     const glm::dvec2 from_dot(fraction(u * texture.dots + 0.5 * std::fmod(row, 2)) - 0.5,
                               fraction(v * texture.dots) - 0.5);
-    const double outside = smooth(texture.radius - edge, texture.radius + edge, glm::length(from_dot));
+    const double outside = ramp(texture.radius - edge, texture.radius + edge, glm::length(from_dot));
     return glm::mix(rgb(texture.dot), rgb(texture.ground), outside);
   });
 }
@@ -106,10 +100,10 @@ Image make_wood(const WoodTexture& texture) {
     // Annual rings cut lengthwise: the distance from a slowly varying centre, in ring widths.
     const double wander = fractal_noise(seed, {2 * u, 1.7 * in_board}, {2, 64}, 3);
     const double rings = 7 * (in_board + 1.4 * wander + 3 * hash01(seed, 1, 0));
-    const double dark = smooth(0.35, 0.95, fraction(rings)) * (1 - smooth(0.95, 1.0, fraction(rings)));
+    const double dark = ramp(0.35, 0.95, fraction(rings)) * (1 - ramp(0.95, 1.0, fraction(rings)));
     const double fibre = fractal_noise(seed + 7, {8 * u, 120 * in_board}, {8, 4096}, 2);
     const double tone = 0.8 + 0.4 * hash01(seed, 2, 0);
-    const double gap = smooth(0.0, 0.012, std::min(in_board, 1 - in_board));
+    const double gap = ramp(0.0, 0.012, std::min(in_board, 1 - in_board));
     return (0.15 + 0.85 * gap) * tone * (0.8 + 0.4 * fibre) * glm::mix(early, late, 0.75 * dark);
   });
 }

@@ -30,22 +30,6 @@ struct DotsTexture {
 };
 Image make_dots(const DotsTexture& texture = {});
 
-/// Three matching textures of one wall.
-struct BrickTextures {
-  Image colour;
-  Image height;  ///< 0 in the deepest joint, 1 on the highest stone, in red, green and blue
-  Image normal;  ///< n/2 + 1/2 in tangent space: red along +u, green along +v (up), blue out of the wall
-};
-struct BrickShape {
-  int size = 512;
-  int columns = 4, rows = 8;  ///< bricks along a side; rows even, so that the bond tiles; 1..64, 2..64
-  float joint = 0.06f;        ///< width of the mortar as a fraction of a brick's height, 0..0.4
-  float depth = 0.02f;        ///< of the relief (height 1), as a fraction of the texture's side, 0..0.2
-  std::uint64_t seed = 1;
-};
-/// The normals are those of the height map: n = normalize(-dh/du, -dh/dv, 1) by central differences, wrapped around.
-BrickTextures make_bricks(const BrickShape& shape = {});
-
 /// Boards: annual rings cut lengthwise, stretched along u.
 struct WoodTexture {
   int size = 512;

@@ -1,4 +1,5 @@
 #include "scene/textures.hpp"
+#include "scene/relief.hpp"
 
 #include <bit>
 #include <cmath>
@@ -81,10 +82,14 @@ TEST_CASE("textures are seamless", "[scene]") {
   CHECK(closes(make_dots({.size = 128})));
   CHECK(closes(make_marble({.size = 256})));
   CHECK(closes(make_wood({.size = 256})));
-  const BrickTextures bricks = make_bricks({.size = 256});
+  const Relief bricks = make_bricks({.size = 256});
   CHECK(closes(bricks.colour));
   CHECK(closes(bricks.height));
   CHECK(closes(bricks.normal));
+  const Relief tiles = make_tiles({.size = 256});
+  CHECK(closes(tiles.colour));
+  CHECK(closes(tiles.height));
+  CHECK(closes(make_inscription({.size = 256}).height));
 }
 
 TEST_CASE("seeds change the noise, and only the noise", "[scene]") {
@@ -118,7 +123,7 @@ TEST_CASE("the first square of a checker lies at the lower left", "[scene]") {
 TEST_CASE("brick normals are the slopes of the brick heights", "[scene]") {
   constexpr float depth = 0.05f;
   constexpr int n = 128;
-  const BrickTextures bricks = make_bricks({.size = n, .depth = depth});
+  const Relief bricks = make_bricks({.size = n, .depth = depth});
   double low = 1, high = 0;
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x) {
@@ -137,6 +142,44 @@ TEST_CASE("brick normals are the slopes of the brick heights", "[scene]") {
     }
   CHECK(low < 0.15);
   CHECK(high > 0.9);
+}
+
+TEST_CASE("dimples have the heights and slopes of their formula", "[scene]") {
+  const DimpleShape shape{.size = 256, .dimples = 3, .depth = 0.05f};
+  const Relief relief = make_dimples(shape);
+  double most = 0;
+  for (int y = 0; y < shape.size; ++y)
+    for (int x = 0; x < shape.size; ++x) {
+      const double u = (x + 0.5) / shape.size, v = 1 - (y + 0.5) / shape.size;
+      const glm::dvec3 exact = dimples_at(shape, u, v);
+      REQUIRE(relief.height.at(x, y).r == float(exact.x));
+      const Rgba& c = relief.normal.at(x, y);
+      const glm::dvec3 normal = glm::dvec3(c.r, c.g, c.b) * 2.0 - 1.0;
+      const glm::dvec2 slope(-normal.x / normal.z, -normal.y / normal.z);
+      most = std::max(most, glm::length(slope - double(shape.depth) * glm::dvec2(exact.y, exact.z)));
+      // The formula's own slope, by small differences.
+      const double step = 1e-6;
+      const glm::dvec2 rise(dimples_at(shape, u + step, v).x - dimples_at(shape, u - step, v).x,
+                            dimples_at(shape, u, v + step).x - dimples_at(shape, u, v - step).x);
+      if (glm::length(rise / (2 * step) - glm::dvec2(exact.y, exact.z)) > 1e-3) FAIL("slope at " << u << ", " << v);
+    }
+  CHECK(most < 0.01);  // of central differences: a sixth of the third derivative times (1/256)^2
+  CHECK(dimples_at(shape, 0.5, 0.5).x == 0);
+  CHECK(dimples_at(shape, 0, 0).x == 1);
+}
+
+TEST_CASE("the inscription is carved, and is no mirror image of itself", "[scene]") {
+  const Relief stone = make_inscription({.size = 256});
+  int deep = 0, other = 0;
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const bool carved = stone.height.at(x, y).r < 0.3f;
+      deep += carved;
+      other += carved != (stone.height.at(255 - x, y).r < 0.3f);
+    }
+  CHECK(deep > 256 * 256 / 50);
+  CHECK(deep < 256 * 256 / 10);
+  CHECK(other > deep / 2);
 }
 
 TEST_CASE("noise repeats, stays within 0..1 and is even", "[scene]") {
@@ -167,6 +210,10 @@ TEST_CASE("textures refuse sizes out of range", "[scene]") {
       {[] { make_bricks({.columns = 0}); }, "columns 0"},
       {[] { make_bricks({.joint = 0.5f}); }, "joint 0.5"},
       {[] { make_bricks({.depth = -1}); }, "depth -1"},
+      {[] { make_tiles({.tiles = 0}); }, "tiles: tiles 0"},
+      {[] { make_dimples({.radius = 0.6f}); }, "dimples: radius 0.6"},
+      {[] { make_dimples({.size = 0}); }, "size 0"},
+      {[] { make_inscription({.stroke = 0.2f}); }, "inscription: stroke 0.2"},
       {[] { make_wood({.boards = 65}); }, "boards 65"},
       {[] { make_marble({.turbulence = 9}); }, "turbulence 9"},
   };
