@@ -1,4 +1,4 @@
-// Converts a float texture to 8 bits per channel: a quarter of the memory.
+// Converts a float texture to 8 or 16 bits per channel: a quarter or half of the memory.
 #pragma once
 
 #include "gl/gl.hpp"
@@ -11,5 +11,8 @@ namespace atelier {
 /// Filters, wrap modes, the highest level and the texture binding do not change. Does nothing for a texture without
 /// levels and for name 0. Throws Error if the texture is not a GL_TEXTURE_2D.
 void store_in_8_bits(Gl& gl, GLuint texture, Encoding texels);
+
+/// The same with floats of 16 bits (GL_RGBA16F), whatever the values mean; values beyond 65504 become infinite.
+void store_in_16_bits(Gl& gl, GLuint texture);
 
 }  // namespace atelier

@@ -96,6 +96,24 @@ TEST_CASE("every level of a compact texture keeps its texels, up to rounding to 
   });
 }
 
+TEST_CASE("floats of 16 bits keep eleven binary digits and half of the memory", "[compact_texture]") {
+  const std::vector<glm::ivec2> sizes = {{8, 4}, {4, 2}};
+  on_every_context([&](Gl& gl) {
+    const GlTexture before = floats(gl, sizes), texture = floats(gl, sizes);
+    const std::int64_t one = gl.counts().texture_bytes / 2;
+    store_in_16_bits(gl, texture.id());
+    CHECK(gl.counts().texture_bytes == one + one / 2);
+    for (std::size_t level = 0; level < sizes.size(); ++level) {
+      const Image expected = fetched(gl, before, GLint(level), sizes[level]),
+                  seen = fetched(gl, texture, GLint(level), sizes[level]);
+      for (std::size_t i = 0; i < seen.pixels().size(); ++i) {
+        CHECK(seen.pixels()[i].b == expected.pixels()[i].b);  // 2 is not cut off
+        CHECK(seen.pixels()[i].r == Approx(expected.pixels()[i].r).epsilon(0x1p-10));
+      }
+    }
+  });
+}
+
 TEST_CASE("making a texture compact keeps its parameters and the bindings", "[compact_texture]") {
   on_every_context([](Gl& gl) {
     const GlTexture texture = floats(gl, {{8, 4}, {4, 2}, {2, 1}, {1, 1}}), bound = floats(gl, {{1, 1}});
@@ -123,7 +141,7 @@ TEST_CASE("anything but a 2D texture is refused or not changed", "[compact_textu
     gl.BindTexture(GL_TEXTURE_CUBE_MAP, cube.id());
     gl.BindTexture(GL_TEXTURE_2D, bound.id());
     CHECK(mentions(error_of([&] { store_in_8_bits(gl, cube.id(), Encoding::linear); }),
-                   {"GL_INVALID_OPERATION", "stored in 8 bits"}));
+                   {"GL_INVALID_OPERATION", "stored with fewer bits"}));
     CHECK(level_parameters(gl, GL_TEXTURE_2D, {GL_TEXTURE_INTERNAL_FORMAT}) == std::vector<GLint>{GL_RGBA32F});
 
     const GlTexture strange(gl);  // a student may leave the highest level at its 1000, and texels that are no numbers
