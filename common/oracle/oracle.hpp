@@ -17,6 +17,8 @@
 //   beam.hpp         a pyramid of rays, for conservative culling
 //   world.hpp        a scene in world space; what a ray sees, what blocks a light
 //   texture.hpp      the colour of a texture at a point
+//   tangents.hpp     tangents of a mesh
+//   normal_map.hpp   the normal under a normal map
 //   light.hpp        incident light
 //   blinn_phong.hpp  reflected light, and the albedo
 //   shading.hpp      options: which part of the light, which shadows
@@ -30,7 +32,6 @@
 //
 // Extension points for later steps:
 //   shadow factors         shading.hpp: a SurfaceColour that returns the `visibility` of one light
-//   normal maps            shade.hpp: the normal is replaced after World::seen has found the point, before shading
 //   height fields          shape.hpp: one more member of `Surface`, a bilinear patch a cell (a quadratic in t)
 //   portals                picture.hpp: a ray that hits a portal is transformed and traced again
 //   light in texture space picture.hpp: the same shading, at points of a texture instead of pixels
@@ -43,12 +44,14 @@
 #include "oracle/camera.hpp"
 #include "oracle/frame.hpp"
 #include "oracle/light.hpp"
+#include "oracle/normal_map.hpp"
 #include "oracle/picture.hpp"
 #include "oracle/ray.hpp"
 #include "oracle/shade.hpp"
 #include "oracle/shading.hpp"
 #include "oracle/shadow.hpp"
 #include "oracle/shape.hpp"
+#include "oracle/tangents.hpp"
 #include "oracle/texture.hpp"
 #include "oracle/triangle.hpp"
 #include "oracle/world.hpp"

@@ -7,9 +7,11 @@
 #include <exception>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "base/error.hpp"
+#include "oracle/normal_map.hpp"
 
 namespace atelier::oracle {
 
@@ -25,7 +27,8 @@ const std::map<std::string, Output>& outputs() {
 
 /// The value of one ray.
 glm::dvec3 sample(const World& world, const CameraRays& camera, const PictureRequest& request, const Ray& ray) {
-  const auto point = world.seen(ray);
+  std::optional<SurfacePoint> point = world.seen(ray);
+  if (point && request.shading.normal_maps) point = under_normal_map(world.scene(), *point);
   if (!point) return request.output == Output::colour ? glm::dvec3(world.scene().background) : glm::dvec3(0);
   const auto shaded = [&](Part part) { return shade(world, *point, camera.eye(), request.shading, part); };
   switch (request.output) {

@@ -35,10 +35,11 @@ using LightShare = std::function<double(const Light& light, const glm::dvec3& po
 struct Shading {
   Normalisation normalisation = Normalisation::none;
   Shadows shadows = Shadows::none;
-  double light_width = 0;  ///< soft: side of the square, 0..1e6 metres; for a directional light, tangent of an angle
-  int light_samples = 16;  ///< soft: n x n points of the square on a regular grid, 1..256
-  LightShare share;        ///< if set, multiplies the visible fraction of a light, at points that receive shadows
-  SurfaceColour surface;   ///< if set, replaces all of the above
+  double light_width = 0;    ///< soft: side of the square, 0..1e6 metres; for a directional light, tangent of an angle
+  int light_samples = 16;    ///< soft: n x n points of the square on a regular grid, 1..256
+  bool normal_maps = false;  ///< whether normal textures change the normal (oracle/normal_map.hpp), also as output
+  LightShare share;          ///< if set, multiplies the visible fraction of a light, at points that receive shadows
+  SurfaceColour surface;     ///< if set, replaces all of the above
 };
 
 /// Throws Error if the width or the number of samples of soft shadows is out of range.

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "oracle/tangents.hpp"
 
 namespace atelier::oracle {
 
@@ -41,6 +42,12 @@ glm::dvec3 world_normal(const glm::dmat3& normal_matrix, const glm::dvec3& norma
   return turned != glm::dvec3(0) ? glm::normalize(turned) : normal;
 }
 
+/// A tangent is transformed like a difference of positions. A mirroring model exchanges the sides of the surface, and
+/// so the side of the bitangent.
+glm::dvec4 world_tangent(const glm::dmat4& model, bool mirrored, const glm::dvec4& tangent) {
+  return {unit_or_zero(glm::dmat3(model) * glm::dvec3(tangent)), mirrored ? -tangent.w : tangent.w};
+}
+
 }  // namespace
 
 glm::dmat3 normal_matrix_exact(const glm::dmat4& model) {
@@ -63,10 +70,15 @@ void World::place_nodes() {
     const Mesh& mesh = scene_.meshes[std::size_t(*scene_.nodes[i].mesh)];
     const glm::dmat3 normal_matrix = normal_matrix_exact(matrices[i]);
     const auto base = std::uint32_t(corners_.size());
-    for (const Vertex& vertex : mesh.vertices)
-      corners_.push_back({glm::dvec3(matrices[i] * glm::dvec4(glm::dvec3(vertex.position), 1)),
-                          world_normal(normal_matrix, glm::dvec3(vertex.normal)), glm::dvec2(vertex.texcoord)});
     const bool mirrored = mirrors(matrices[i]);
+    std::vector<glm::dvec4> tangents;
+    if (scene_.materials[std::size_t(scene_.nodes[i].material)].normal_texture) tangents = tangents_of(mesh);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+      const Vertex& vertex = mesh.vertices[v];
+      corners_.push_back({glm::dvec3(matrices[i] * glm::dvec4(glm::dvec3(vertex.position), 1)),
+                          world_normal(normal_matrix, glm::dvec3(vertex.normal)), glm::dvec2(vertex.texcoord),
+                          tangents.empty() ? glm::dvec4(0) : world_tangent(matrices[i], mirrored, tangents[v])});
+    }
     for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
       const std::uint32_t a = base + mesh.indices[at], b = base + mesh.indices[at + 1], c = base + mesh.indices[at + 2];
       triangles_.push_back({{a, mirrored ? c : b, mirrored ? b : c}, int(i)});
@@ -209,13 +221,22 @@ SurfacePoint World::point_on_triangle(const Triangle& triangle, const TriangleHi
   const auto mix = [&](const auto& x, const auto& y, const auto& z) { return x + hit.b * (y - x) + hit.c * (z - x); };
   SurfacePoint point;
   point.position = mix(a.position, b.position, c.position);
-  point.normal = unit_or_zero(mix(a.normal, b.normal, c.normal));
+  const glm::dvec3 normal = mix(a.normal, b.normal, c.normal);
+  point.normal = unit_or_zero(normal);
+  point.normal_length = glm::length(normal);
+  point.tangent = mix(a.tangent, b.tangent, c.tangent);
   point.flat_normal = unit_or_zero(glm::cross(b.position - a.position, c.position - a.position));
   point.texcoord = mix(a.texcoord, b.texcoord, c.texcoord);
   point.material = node.material;
   point.thing = triangle.node;
   point.receives_shadow = node.receives_shadow;
-  if (!hit.front) point.normal = -point.normal, point.flat_normal = -point.flat_normal;
+  if (!hit.front) {
+    // Seen from behind, a bump is a dent: the whole mapped normal turns round, so all its axes do. The bitangent is
+    // w cross(N, T), hence w too.
+    point.normal = -point.normal;
+    point.flat_normal = -point.flat_normal;
+    point.tangent = -point.tangent;
+  }
   return point;
 }
 

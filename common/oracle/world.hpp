@@ -15,10 +15,14 @@ namespace atelier::oracle {
 
 /// A visible surface point, ready for shading.
 struct SurfacePoint {
-  double t = 0;            ///< ray parameter
-  glm::dvec3 position{0};  ///< world space, metres
-  glm::dvec3 normal{0};    ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on
-                           ///< two-sided materials
+  double t = 0;              ///< ray parameter
+  glm::dvec3 position{0};    ///< world space, metres
+  glm::dvec3 normal{0};      ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on
+                             ///< two-sided materials
+  double normal_length = 1;  ///< of the interpolated normal, at most 1: the vertices' normals have unit length
+  glm::dvec4 tangent{0};     ///< world space: along +u, interpolated between unit vectors; w as in tangents.hpp. Turned
+                             ///< round like the normal. 0 where there is none: on shapes, and where the material has no
+                             ///< normal texture
   glm::dvec3 flat_normal{0};  ///< geometric normal, of unit length, on the visible side
   glm::dvec2 texcoord{0};
   int material = 0;  ///< index into Scene::materials
@@ -65,6 +69,7 @@ class World {
   struct Corner {
     glm::dvec3 position, normal;  ///< world space; the normal is of unit length or zero
     glm::dvec2 texcoord;
+    glm::dvec4 tangent;  ///< world space; xyz of unit length, or zero
   };
   struct Triangle {
     std::uint32_t corners[3];  ///< counter-clockwise seen from the front
