@@ -2,10 +2,28 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "gl/debug.hpp"
 
 namespace atelier {
+
+namespace {
+
+/// Whether a matrix has a negative determinant. Its columns are normalised first: the product of three small scales
+/// would underflow.
+bool mirrors(const glm::mat4& model) {
+  glm::mat3 m(model);
+  for (int column = 0; column < 3; ++column) {
+    const glm::vec3 size = glm::abs(m[column]);
+    const float largest = std::max({size.x, size.y, size.z});
+    if (largest > 0) m[column] /= largest;
+  }
+  return glm::determinant(m) < 0;
+}
+
+}  // namespace
 
 PlacedNodes::PlacedNodes(Gl& gl, const TransformFunctions& transforms, const Scene& scene,
                          const std::vector<std::vector<glm::vec4>>& tangents)
@@ -66,7 +84,8 @@ int PlacedNodes::place(bool camera_relative, const glm::dvec3& origin) {
   items_.clear();
   for (std::size_t i = 0; i < world.size(); ++i)
     if (const auto mesh = scene_.nodes[i].mesh)
-      items_.push_back({int(i), world[i], transforms_.normal_matrix(world[i]), meshes_[std::size_t(*mesh)].box});
+      items_.push_back(
+          {int(i), world[i], transforms_.normal_matrix(world[i]), mirrors(world[i]), meshes_[std::size_t(*mesh)].box});
   placed_for_ = wanted;
   return int(world.size() + items_.size());
 }
@@ -74,8 +93,7 @@ int PlacedNodes::place(bool camera_relative, const glm::dvec3& origin) {
 void PlacedNodes::draw(const ScenePainter::Item& item, bool mirrored) const {
   const UploadedMesh& mesh = meshes_[std::size_t(*scene_.nodes[std::size_t(item.node)].mesh)];
   if (!mesh.vertex_array || mesh.count <= 0) return;  // step 01's upload_mesh is not written yet: nothing to draw
-  const bool turned = (glm::determinant(glm::mat3(item.model)) < 0) != mirrored;
-  gl_.FrontFace(GLenum(turned ? GL_CW : GL_CCW));
+  gl_.FrontFace(GLenum(item.mirrored != mirrored ? GL_CW : GL_CCW));
   gl_.BindVertexArray(mesh.vertex_array.id());
   if (mesh.index_buffer)
     gl_.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_INT, nullptr);

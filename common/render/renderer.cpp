@@ -238,6 +238,7 @@ void Renderer::draw(const Item& item, const Variant& variant, Drawing& drawing) 
   Binder binder = *drawing.bound;
   binder.set("u_model", item.model);
   binder.set("u_normal_matrix", item.normal_matrix);
+  binder.set("u_mirrored", int(item.mirrored));
   for (const auto& feature : features_)
     if (variant.key->has(*feature)) feature->bind_material(binder, *scene_, material);
   if (material.two_sided || drawing.viewpoint.view.wireframe)

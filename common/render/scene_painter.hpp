@@ -46,7 +46,8 @@ class ScenePainter {
     int node = 0;  ///< index into Scene::nodes
     glm::mat4 model{1.0f};
     glm::mat3 normal_matrix{1.0f};
-    Box3 box;  ///< of the mesh: object space
+    bool mirrored = false;  ///< whether `model` mirrors: front faces are clockwise
+    Box3 box;               ///< of the mesh: object space
   };
   virtual ~ScenePainter() = default;
 

@@ -225,7 +225,8 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
   const bool lights = lit_per_vertex(key), clips = key.structure.contains("CLIP_PLANE");
   const bool tangents = key.structure.contains("TANGENTS");
   std::string text = vertex_text + include_line(transforms_glsl);
-  if (tangents) text += "layout(location = 3) in vec4 a_tangent;\nout vec4 v_tangent_world;\n";
+  if (tangents)
+    text += "layout(location = 3) in vec4 a_tangent;\nuniform bool u_mirrored;\nout vec4 v_tangent_world;\n";
   if (clips) text += "uniform vec4 u_clip_plane;\n";
   if (lights) text += "out vec3 v_shaded;\n" + features_text(key, lighting_slots);
   text += constants.vertex_declarations;
@@ -235,12 +236,13 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
       "  v_normal_world = world_normal(u_normal_matrix, a_normal);\n"
       "  v_texcoord = a_texcoord;\n"
       "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n";
-  // A tangent is transformed by the model matrix, like positions. A mirroring matrix flips the side that cross(normal,
-  // tangent) points to.
+  // A tangent is transformed by the model matrix, like differences of positions. A mirroring matrix exchanges the sides
+  // of the surface.
   if (tangents)
     text +=
-        "  v_tangent_world = vec4(mat3(u_model) * a_tangent.xyz, determinant(mat3(u_model)) < 0.0 ? -a_tangent.w : "
-        "a_tangent.w);\n";
+        "  vec3 tangent = mat3(u_model) * a_tangent.xyz;\n"
+        "  float size = length(tangent);\n"
+        "  v_tangent_world = vec4(size > 0.0 ? tangent / size : vec3(0.0), u_mirrored ? -a_tangent.w : a_tangent.w);\n";
   if (clips) text += "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(v_position_world, 1.0));\n";
   if (lights) text += surface_statement + lighting_statements(key) + "  v_shaded = shaded;\n";
   return text + constants.vertex_statements + "}\n";

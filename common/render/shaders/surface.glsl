@@ -5,6 +5,9 @@ struct Surface {
   vec2 texcoord;        // (0,0) lower left
   vec3 eye_world;       // position of the eye
 #ifdef TANGENTS
-  vec4 tangent_world;  // along +u, interpolated, not normalised; w is the sign of the bitangent; xyz is 0 if there is none
+  vec4 tangent_world;  // along +u, interpolated between unit vectors; w is the sign of the bitangent; xyz is 0 if there is none. Of the front side
+#endif
+#ifdef LIGHT_SPACE
+  vec3 normal_light;  // the normal in the space in which light is computed
 #endif
 };

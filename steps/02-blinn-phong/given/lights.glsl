@@ -38,6 +38,25 @@ uniform DirectionalLight u_directional_lights[DIRECTIONAL_LIGHTS];
 #endif
 uniform vec3 u_ambient;
 
+#ifdef LIGHT_SPACE
+// A later step computes light in a space of its own: below, the names of the lights stand for copies in that space.
+#if POINT_LIGHTS > 0
+PointLight point_light_in_world(int i) { return u_point_lights[i]; }
+PointLight point_lights_there[POINT_LIGHTS];
+#define u_point_lights point_lights_there
+#endif
+#if SPOT_LIGHTS > 0
+SpotLight spot_light_in_world(int i) { return u_spot_lights[i]; }
+SpotLight spot_lights_there[SPOT_LIGHTS];
+#define u_spot_lights spot_lights_there
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+DirectionalLight directional_light_in_world(int i) { return u_directional_lights[i]; }
+DirectionalLight directional_lights_there[DIRECTIONAL_LIGHTS];
+#define u_directional_lights directional_lights_there
+#endif
+#endif
+
 // The visibility of each light at the shaded point: the fraction of its light that arrives, 0 to 1; 1 if the program
 // uses no shadows. The argument is the light's index in its array. The values are computed before `shade` is called, so
 // these functions may be called anywhere, also in branches.

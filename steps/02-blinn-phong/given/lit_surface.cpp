@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "02-blinn-phong/given/texture_filter.hpp"
 #include "app/frame_settings.hpp"
 #include "gl/compact_texture.hpp"
 #include "gl/debug.hpp"
@@ -42,13 +43,6 @@ Image decoded(Image image) {
   const auto of = [&](float stored) { return linear[std::size_t(stored * 255 + 0.5f)]; };
   for (Rgba& p : image.pixels()) p = {of(p.r), of(p.g), of(p.b), p.a};
   return image;
-}
-
-Filter chosen_filter(const std::string& choice, Filter of_scene) {
-  return choice == "nearest"  ? Filter::nearest
-         : choice == "linear" ? Filter::linear
-         : choice == "mipmap" ? Filter::mipmap
-                              : of_scene;
 }
 
 }  // namespace

@@ -16,6 +16,10 @@ uniform sampler2D u_diffuse_map;
 uniform sampler2D u_specular_map;
 #endif
 
+#ifdef FILTERED_EXPONENT
+float exponent_of(float exponent);  // by a later step: of a highlight on filtered normals
+#endif
+
 vec3 texel_colour(sampler2D map, vec2 texcoord) {
 #ifdef DECODE_AFTER_FILTER
   return srgb_decode(texture(map, texcoord).rgb);
@@ -31,6 +35,9 @@ Material material_at(Surface surface) {
 #endif
 #ifdef SPECULAR_MAP
   m.specular *= texel_colour(u_specular_map, surface.texcoord);
+#endif
+#ifdef FILTERED_EXPONENT
+  m.exponent = exponent_of(m.exponent);
 #endif
   return m;
 }
@@ -61,11 +68,47 @@ void find_visibility(vec3 position, vec3 normal) {
 }
 #endif
 
+#ifdef LIGHT_SPACE
+vec3 to_light_space(vec3 v);  // by a later step: a rotation
+
+// The lights in world space, or in light space with `origin` as their origin.
+void place_lights(bool there, vec3 origin) {
+#if POINT_LIGHTS > 0
+  for (int i = 0; i < POINT_LIGHTS; ++i) {
+    u_point_lights[i] = point_light_in_world(i);
+    if (there) u_point_lights[i].position = to_light_space(u_point_lights[i].position - origin);
+  }
+#endif
+#if SPOT_LIGHTS > 0
+  for (int i = 0; i < SPOT_LIGHTS; ++i) {
+    u_spot_lights[i] = spot_light_in_world(i);
+    if (!there) continue;
+    u_spot_lights[i].position = to_light_space(u_spot_lights[i].position - origin);
+    u_spot_lights[i].direction = to_light_space(u_spot_lights[i].direction);
+  }
+#endif
+#if DIRECTIONAL_LIGHTS > 0
+  for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i) {
+    u_directional_lights[i] = directional_light_in_world(i);
+    if (there) u_directional_lights[i].direction = to_light_space(u_directional_lights[i].direction);
+  }
+#endif
+}
+#endif
+
 vec3 shade_material(Surface surface, Material m) {
+#ifdef LIGHT_SPACE
+  place_lights(false, vec3(0.0));  // visibility is a matter of world space
+#endif
 #ifdef VISIBILITY
   find_visibility(surface.position_world, surface.normal_world);
 #endif
+#ifdef LIGHT_SPACE
+  place_lights(true, surface.position_world);
+  return shade(vec3(0.0), surface.normal_light, to_light_space(surface.eye_world - surface.position_world), m);
+#else
   return shade(surface.position_world, surface.normal_world, surface.eye_world, m);
+#endif
 }
 
 vec3 shade_surface(Surface surface) { return u_emission + shade_material(surface, material_at(surface)); }

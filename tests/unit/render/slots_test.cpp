@@ -194,9 +194,9 @@ TEST_CASE("tangents are a separate attribute if a feature provides them", "[slot
     scene.nodes[0].scale = {scale, 0.5f, 1};  // a tangent goes with the surface
     return stage.draw(scene).at(scale < 0 ? 21 : 10, 17);
   };
-  CHECK(draw(3) == Rgba{0, 0.25f, 1, 1});
-  CHECK(draw(3, -1) == Rgba{0, 0.25f, -1, 1});  // a mirror exchanges the sides of the bitangent
-  CHECK(draw(0) == Rgba{0, 0, -1, 1});          // OpenGL's own value where there is no array: (0, 0, 0, 1)
+  CHECK(draw(3) == Rgba{0, 1, 1, 1});       // of unit length again
+  CHECK(draw(3, -1) == Rgba{0, 1, -1, 1});  // a mirror exchanges the sides of the bitangent
+  CHECK(draw(0) == Rgba{0, 0, -1, 1});      // OpenGL's own value where there is no array: (0, 0, 0, 1)
   CHECK(mentions(error_of([&] { draw(2); }), {"triangle", "2 tangents", "3 vertices"}));
 }
 
