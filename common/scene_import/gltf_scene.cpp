@@ -10,6 +10,7 @@
 #include "scene_import/gltf_materials.hpp"
 #include "scene_import/gltf_mesh.hpp"
 #include "scene_import/scene_import.hpp"
+#include "scene_import/tangents.hpp"
 
 namespace atelier::scene_import {
 namespace {
@@ -140,8 +141,10 @@ const std::vector<Part>& GltfReader::parts_of(int mesh) {
     auto read = read_primitive(file_, primitive, materials_.transform(material), budget_);
     if (!read) continue;
     read->name = primitives.size() == 1 ? name : fmt::format("{} part {}", name, i);
+    const int used = materials_.material(material);
+    if (read->tangents.empty() && scene_.materials[used].normal_texture) add_standard_tangents(*read);
     scene_.meshes.push_back(std::move(*read));
-    parts.push_back({int(scene_.meshes.size()) - 1, materials_.material(material)});
+    parts.push_back({int(scene_.meshes.size()) - 1, used});
   }
   return parts_[mesh] = std::move(parts);
 }

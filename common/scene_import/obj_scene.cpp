@@ -13,6 +13,7 @@
 #include "scene_import/obj_materials.hpp"
 #include "scene_import/polygon.hpp"
 #include "scene_import/scene_import.hpp"
+#include "scene_import/tangents.hpp"
 
 namespace atelier::scene_import {
 namespace {
@@ -145,11 +146,12 @@ Imported read_obj(const std::filesystem::path& path, Notes& notes) {
   const std::vector<int> materials = add_materials(obj, path, result.scene, notes);
   for (auto& [key, group] : groups) {
     const auto [object, material] = key;
+    const int used = material < 0 ? materials.back() : materials[material];
     group.mesh.name = obj.objects[object];
+    if (result.scene.materials[used].normal_texture) add_standard_tangents(group.mesh);
     result.scene.meshes.push_back(std::move(group.mesh));
-    result.scene.nodes.push_back({.name = obj.objects[object],
-                                  .mesh = int(result.scene.meshes.size()) - 1,
-                                  .material = material < 0 ? materials.back() : materials[material]});
+    result.scene.nodes.push_back(
+        {.name = obj.objects[object], .mesh = int(result.scene.meshes.size()) - 1, .material = used});
   }
   return result;
 }

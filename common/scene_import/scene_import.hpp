@@ -6,6 +6,7 @@
 //         (external, embedded, as data URIs), samplers, cameras, KHR_lights_punctual, KHR_texture_transform of the base
 //         colour.
 //   OBJ   faces of any number of corners, concave ones too, materials, pictures, smoothing groups.
+// A mesh without valid tangents whose material has a normal map gets the standard's (scene/standard_tangents.hpp).
 // Not imported: skins (models are in their rest pose), morph targets, animations, vertex colours, opacity, points and
 // lines, texture coordinates 1 and up, curves and free-form surfaces. blinn_phong_of.hpp says how materials become
 // Blinn-Phong. Lengths and the up axis are those of the file (glTF: metres, y up).
