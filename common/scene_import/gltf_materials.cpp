@@ -66,7 +66,7 @@ Material GltfMaterials::make(const JsonField& field) {
     read_specular_glossiness(material, *glossy);
   else
     read_metallic_roughness(material, field);
-  material.normal_texture = texture(field, "normalTexture", Encoding::data);
+  material.normal_texture = normal_texture(field);
 
   double strength = 1;
   if (const auto stronger = extension(field, "KHR_materials_emissive_strength"))
@@ -192,6 +192,22 @@ TextureIndex GltfMaterials::texture(const JsonField& holder, const char* key, En
   const TextureIndex added = add_texture(*info, std::move(*pixels));
   shared_textures_[{index, encoding}] = *added;
   return added;
+}
+
+TextureIndex GltfMaterials::normal_texture(const JsonField& material) {
+  const TextureIndex map = texture(material, "normalTexture", Encoding::data);
+  const double scale = map ? material.find("normalTexture")->number_or("scale", 1) : 1;
+  if (scale == 1) return map;
+  Texture scaled = scene_.textures[std::size_t(*map)];
+  for (Rgba& p : scaled.pixels.pixels()) {
+    const glm::dvec3 n = (glm::dvec3(p.r, p.g, p.b) * 2.0 - 1.0) * glm::dvec3(scale, scale, 1);
+    const double length = glm::length(n);
+    if (length == 0) continue;
+    const glm::vec3 stored(n / length * 0.5 + 0.5);
+    p = {stored.x, stored.y, stored.z, p.a};
+  }
+  scene_.textures.push_back(std::move(scaled));
+  return int(scene_.textures.size()) - 1;
 }
 
 TexcoordTransform GltfMaterials::transform(std::optional<int> index) const {

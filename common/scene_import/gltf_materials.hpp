@@ -35,6 +35,8 @@ class GltfMaterials {
   std::optional<Image> picture(const JsonField& texture_info, Encoding encoding);
   TextureIndex add_texture(const JsonField& texture_info, Image pixels);
   TextureIndex texture(const JsonField& holder, const char* key, Encoding encoding);
+  /// x and y of its normals are multiplied by the file's "scale".
+  TextureIndex normal_texture(const JsonField& material);
 
   const GltfFile& file_;
   Scene& scene_;

@@ -26,9 +26,20 @@ struct SplitKeyHash {
   }
 };
 
+/// Whether the texture coordinates of any triangle span an area.
+bool spans_texture(const Mesh& mesh) {
+  for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+    const auto texcoord = [&](std::size_t k) { return mesh.vertices[mesh.indices[at + k]].texcoord; };
+    const glm::vec2 a = texcoord(1) - texcoord(0), b = texcoord(2) - texcoord(0);
+    if (a.x * b.y != a.y * b.x) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void add_standard_tangents(Mesh& mesh) {
+  if (!spans_texture(mesh)) return;
   const std::vector<glm::vec4> corners = standard_tangents(mesh);
   std::vector<bool> known(mesh.vertices.size(), false);
   std::unordered_map<SplitKey, std::uint32_t, SplitKeyHash> copies;

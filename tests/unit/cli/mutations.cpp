@@ -109,6 +109,7 @@ TEST_CASE("other forms have the same meaning") {
   CHECK(forms("return a / b;", true) == std::set<std::string>{"return a * (1.0 / (b));"});
   CHECK(forms("return a / b;", false).empty());  // it may be of whole numbers
   CHECK(forms("return view * model;", true).empty());
+  CHECK(forms("return frame_of(n, t) * v;", true).empty());
   CHECK(forms("if (a < b) return a;", true).contains("if (b > a) return a;"));
   CHECK(forms("c = 1.0; return c * a;", false).contains("c = 1.0; auto the_result = c * a; return the_result;"));
 }

@@ -1,6 +1,8 @@
 // Tangents of imported meshes: the file's, or the standard's where a normal map needs them.
 #include "scene_import/tangents.hpp"
 
+#include <cmath>
+
 #include "image_io/image_io.hpp"
 #include "scene/shapes.hpp"
 #include "scene/standard_tangents.hpp"
@@ -126,4 +128,30 @@ TEST_CASE("vertices are split only where their corners have different tangents",
     CHECK(mesh.indices == before.indices);
     CHECK_NOTHROW(validate({.name = "torus", .meshes = {mesh}}));
   }
+}
+
+TEST_CASE("a mesh whose texture coordinates span no area gets no tangents", "[scene_import]") {
+  Mesh mesh = two_quads();
+  for (Vertex& vertex : mesh.vertices) vertex.texcoord.y = 2 * vertex.texcoord.x;
+  scene_import::add_standard_tangents(mesh);
+  CHECK(mesh.tangents.empty());
+}
+
+TEST_CASE("glTF: the scale of a normal texture changes its slopes", "[scene_import]") {
+  const Image slanted(2, 2, {0.8f, 0.5f, 0.9f, 1});  // n = (0.6, 0, 0.8)
+  const auto stored = [&](double scale) {
+    const TemporaryFolder folder;
+    write_image(folder.path() / "normal.png", slanted, data);
+    const json document = changed([&](json& d) {
+      add_normal_map(d);
+      d["materials"][0]["normalTexture"]["scale"] = scale;
+    });
+    const Scene scene = import_scene(test::write_gltf(folder.path(), document, test::triangle_buffer()));
+    return scene.textures[std::size_t(*scene.materials[0].normal_texture)].pixels.at(0, 0);
+  };
+  CHECK(stored(1).r == Approx(0.8).margin(0.002));  // of 8 bits
+  CHECK(stored(0).r == Approx(0.5).margin(0.002));
+  CHECK(stored(0).b == Approx(1).margin(0.002));
+  CHECK(stored(2).r == Approx(0.5 + 0.5 * 1.2 / std::hypot(1.2, 0.8)).margin(0.003));
+  CHECK(stored(-1).r == Approx(0.2).margin(0.002));
 }

@@ -1,0 +1,82 @@
+#include "05-normal-mapping/normal_mapping.hpp"
+
+#include <algorithm>
+
+namespace atelier::normal_mapping {
+
+glm::vec4 triangle_tangent(const Corner& a, const Corner& b, const Corner& c) {
+  // >>> student: solve the two edges for the direction of +u
+  const glm::vec3 e1 = b.position - a.position, e2 = c.position - a.position;
+  const glm::vec2 d1 = b.texcoord - a.texcoord, d2 = c.texcoord - a.texcoord;
+  const float edge = std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)});
+  const float side = std::max({glm::length(d1), glm::length(d2), glm::length(d2 - d1)});
+  if (edge == 0 || side == 0) return glm::vec4(0);
+  // In units of the longest edges, so that no product leaves the range of a float.
+  const glm::vec3 p1 = e1 / edge, p2 = e2 / edge;
+  const glm::vec2 q1 = d1 / side, q2 = d2 / side;
+  const float determinant = q1.x * q2.y - q1.y * q2.x;
+  if (glm::length(glm::cross(p1, p2)) <= 1e-6f || std::abs(determinant) <= 1e-6f) return glm::vec4(0);
+  const float way = determinant < 0 ? -1.0f : 1.0f;
+  return glm::vec4(glm::normalize(way * (q2.y * p1 - q1.y * p2)), way);
+  // --- skeleton
+  // | return glm::vec4(0);
+  // <<< student
+}
+
+std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
+  // >>> student: sum the tangents of each vertex's triangles by their angles
+  std::vector<glm::vec3> sums(mesh.vertices.size(), glm::vec3(0));
+  std::vector<float> weights(mesh.vertices.size(), 0), ways(mesh.vertices.size(), 0);
+  for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
+    const auto vertex = [&](std::size_t k) { return mesh.vertices[mesh.indices[at + k % 3]]; };
+    const auto corner = [&](std::size_t k) { return Corner{vertex(k).position, vertex(k).texcoord}; };
+    const glm::vec4 tangent = triangle_tangent(corner(0), corner(1), corner(2));
+    if (tangent == glm::vec4(0)) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const glm::vec3 n = vertex(k).normal, t = glm::vec3(tangent);
+      const glm::vec3 flat = t - glm::dot(t, n) * n;
+      const float size = glm::length(flat);
+      const glm::vec3 to_next = glm::normalize(vertex(k + 1).position - vertex(k).position);
+      const glm::vec3 to_last = glm::normalize(vertex(k + 2).position - vertex(k).position);
+      const float angle = std::atan2(glm::length(glm::cross(to_next, to_last)), glm::dot(to_next, to_last));
+      const std::uint32_t v = mesh.indices[at + k];
+      if (size > 1e-6f) sums[v] += angle * flat / size;
+      weights[v] += angle;
+      ways[v] += angle * tangent.w;
+    }
+  }
+  std::vector<glm::vec4> tangents(mesh.vertices.size(), glm::vec4(0));
+  for (std::size_t v = 0; v < tangents.size(); ++v) {
+    const glm::vec3 n = mesh.vertices[v].normal;
+    if (n == glm::vec3(0) || !(glm::length(sums[v]) > 1e-4f * weights[v])) continue;
+    const glm::vec3 t = sums[v] - glm::dot(sums[v], n) * n;
+    tangents[v] = glm::vec4(glm::normalize(t), ways[v] < 0 ? -1.0f : 1.0f);
+  }
+  return tangents;
+  // --- skeleton
+  // | return std::vector<glm::vec4>(mesh.vertices.size(), glm::vec4(0));
+  // <<< student
+}
+
+Image normals_from_heights(const Image& heights, float depth, Wrap wrap) {
+  // >>> student: the slopes along u and v, then the normal, then its colour
+  const int width = heights.width(), height = heights.height();
+  const auto beyond = [&](int i, int count) {
+    return wrap == Wrap::repeat ? (i + count) % count : std::clamp(i, 0, count - 1);
+  };
+  const auto h = [&](int x, int y) { return depth * heights.at(beyond(x, width), beyond(y, height)).r; };
+  Image normals(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const float slope_u = (h(x + 1, y) - h(x - 1, y)) * 0.5f * float(width);
+      const float slope_v = (h(x, y - 1) - h(x, y + 1)) * 0.5f * float(height);
+      const glm::vec3 n = glm::normalize(glm::vec3(-slope_u, -slope_v, 1)) * 0.5f + 0.5f;
+      normals.at(x, y) = {n.x, n.y, n.z, 1};
+    }
+  return normals;
+  // --- skeleton
+  // | return Image(heights.width(), heights.height(), {0.5f, 0.5f, 1, 1});
+  // <<< student
+}
+
+}  // namespace atelier::normal_mapping
