@@ -12,7 +12,8 @@
 //   frame.hpp        the right and up directions of a view
 //   camera.hpp       camera rays and depth values
 //   triangle.hpp     ray and triangle, without gaps between neighbours
-//   shape.hpp        ray and sphere, cylinder wall, rectangle: shapes that triangles only approximate
+//   shape.hpp        ray and sphere, cylinder wall, rectangle, height field: shapes that triangles only approximate
+//   height_field.hpp ray and height field, a bilinear patch a cell
 //   bvh.hpp          a bounding volume hierarchy
 //   beam.hpp         a pyramid of rays, for conservative culling
 //   world.hpp        a scene in world space; what a ray sees, what blocks a light
@@ -32,7 +33,6 @@
 //
 // Extension points for later steps:
 //   shadow factors         shading.hpp: a SurfaceColour that returns the `visibility` of one light
-//   height fields          shape.hpp: one more member of `Surface`, a bilinear patch a cell (a quadratic in t)
 //   portals                picture.hpp: a ray that hits a portal is transformed and traced again
 //   light in texture space picture.hpp: the same shading, at points of a texture instead of pixels
 //   quadrature             blinn_phong.hpp: `albedo` is an example
@@ -43,6 +43,7 @@
 #include "oracle/bvh.hpp"
 #include "oracle/camera.hpp"
 #include "oracle/frame.hpp"
+#include "oracle/height_field.hpp"
 #include "oracle/light.hpp"
 #include "oracle/normal_map.hpp"
 #include "oracle/picture.hpp"

@@ -5,6 +5,8 @@
 #include <glm/gtc/constants.hpp>
 #include <utility>
 
+#include "oracle/height_field.hpp"
+
 namespace atelier::oracle {
 
 namespace {
@@ -85,6 +87,10 @@ std::optional<ShapeHit> meet(const Rectangle& flat, const Ray& ray, bool front_o
   return ShapeHit{t, normal, {(a + 1) / 2, (b + 1) / 2}};
 }
 
+std::optional<ShapeHit> meet(const HeightField& field, const Ray& ray, bool front_only) {
+  return intersect(field, ray, front_only);
+}
+
 /// The bounding box of the surface in its own space.
 Box3 own_bounds(const Surface& surface) {
   Box3 box;
@@ -94,6 +100,10 @@ Box3 own_bounds(const Surface& surface) {
   } else if (const auto* wall = std::get_if<CylinderWall>(&surface)) {
     box.add({-wall->radius, 0, -wall->radius});
     box.add({wall->radius, wall->height, wall->radius});
+  } else if (const auto* field = std::get_if<HeightField>(&surface)) {
+    box = own_bounds(field->flat);
+    const glm::dvec3 down = -field->depth * glm::normalize(glm::cross(field->flat.half_u, field->flat.half_v));
+    box.add(Box3{box.low + down, box.high + down});
   } else {
     const auto& flat = std::get<Rectangle>(surface);
     for (const double a : {-1.0, 1.0})

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <variant>
 
@@ -31,7 +32,25 @@ struct Rectangle {
   glm::dvec3 centre{0}, half_u{1, 0, 0}, half_v{0, 0, -1};
 };
 
-using Surface = std::variant<Sphere, CylinderWall, Rectangle>;
+/// A rectangle whose points lie below its plane: at texture coordinate (u, v) by depth (1 - h(u, v)), where h is red of
+/// `heights` as its sampler gives it: bilinear between texel centres, with its wrap mode. A sheet that faces like the
+/// rectangle, without walls at its sides. oracle/height_field.hpp says what is valid; a World checks it.
+struct HeightField {
+  Rectangle flat;
+  std::shared_ptr<const Texture> heights;  ///< red 0..1; Filter::linear or Filter::mipmap
+  double depth = 0;                        ///< metres in the surface's own space, 0 or more
+  glm::dvec2 repeat{1};  ///< texture coordinates at (a, b) of the rectangle: ((a + 1) / 2, (b + 1) / 2) repeat
+  /// Whether the surface ends at the rectangle's sides, and rays leave through them. Otherwise it goes on behind the
+  /// sides, seen through the rectangle as through a window: a ray that comes over the rectangle, at most `depth` below
+  /// its plane, also meets what lies farther along it, to 100 half sides from the centre. A ray that starts beyond the
+  /// sides and does not come over the rectangle meets nothing, so the part behind them casts no shadow on itself.
+  bool edges = true;
+  /// Whether it is seen through the rectangle alone: a ray that begins above the rectangle's plane and does not cross it
+  /// within the rectangle meets nothing.
+  bool window = false;
+};
+
+using Surface = std::variant<Sphere, CylinderWall, Rectangle, HeightField>;
 
 /// A surface with its transform and material.
 struct Shape {
@@ -52,7 +71,8 @@ struct ShapeHit {
 /// ignored.
 std::optional<ShapeHit> intersect(const Surface& surface, const Ray& ray, bool front_only);
 
-/// A bounding box of the shape in world space, slightly enlarged to allow for rounding.
+/// A bounding box of the shape in world space, slightly enlarged to allow for rounding. What a height field without
+/// edges has behind its sides is outside; a ray that meets it passes the box before.
 Box3 bounds(const Shape& shape);
 
 }  // namespace atelier::oracle

@@ -20,15 +20,14 @@ int wrapped(double i, int count, Wrap wrap) {
   return place < count ? place : 2 * count - 1 - place;
 }
 
-/// A texel by its column from the left and its row from the bottom.
+}  // namespace
+
 glm::dvec3 texel(const Texture& texture, double column, double row) {
   const Image& image = texture.pixels;
   const Rgba& p = image.at(wrapped(column, image.width(), texture.wrap),
                            image.height() - 1 - wrapped(row, image.height(), texture.wrap));
   return {p.r, p.g, p.b};
 }
-
-}  // namespace
 
 glm::dvec3 texel_colour(const Texture& texture, const glm::dvec2& texcoord) {
   const double x = texcoord.x * texture.pixels.width(), y = texcoord.y * texture.pixels.height();

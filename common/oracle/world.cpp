@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "oracle/height_field.hpp"
 #include "oracle/tangents.hpp"
 
 namespace atelier::oracle {
@@ -46,6 +47,12 @@ glm::dvec3 world_normal(const glm::dmat3& normal_matrix, const glm::dvec3& norma
 /// so the side of the bitangent.
 glm::dvec4 world_tangent(const glm::dmat4& model, bool mirrored, const glm::dvec4& tangent) {
   return {unit_or_zero(glm::dmat3(model) * glm::dvec3(tangent)), mirrored ? -tangent.w : tangent.w};
+}
+
+/// The rectangle of a flat shape or a height field, whose sides are the axes of tangent space; none for others.
+const Rectangle* base_of(const Surface& surface) {
+  const auto* field = std::get_if<HeightField>(&surface);
+  return field ? &field->flat : std::get_if<Rectangle>(&surface);
 }
 
 }  // namespace
@@ -96,10 +103,19 @@ void World::place_shapes(std::vector<Shape> shapes) {
       for (int row = 0; row < 4; ++row)
         if (!std::isfinite(inverse[column][row]))
           throw Error(fmt::format("scene '{}': shape {}: its matrix cannot be inverted", scene_.name, shapes_.size()));
+    if (const auto* field = std::get_if<HeightField>(&shape.surface))
+      validate(*field, fmt::format("scene '{}': shape {}", scene_.name, shapes_.size()));
     const glm::dmat3 normal_matrix = normal_matrix_exact(shape.object_to_world);
     const Box3 box = oracle::bounds(shape);
-    shapes_.push_back({std::move(shape), inverse, normal_matrix, box});
+    const glm::dvec4 tangent = tangent_of(shape);
+    shapes_.push_back({std::move(shape), inverse, normal_matrix, box, tangent});
   }
+}
+
+glm::dvec4 World::tangent_of(const Shape& shape) const {
+  const Rectangle* base = base_of(shape.surface);
+  if (!base || !scene_.materials[std::size_t(shape.material)].normal_texture) return glm::dvec4(0);
+  return world_tangent(shape.object_to_world, mirrors(shape.object_to_world), {unit_or_zero(base->half_u), 1});
 }
 
 void World::build_tree() {
@@ -244,9 +260,15 @@ SurfacePoint World::point_on_shape(std::size_t index, const ShapeHit& hit, const
   const PlacedShape& placed = shapes_[index];
   SurfacePoint point;
   point.position = ray.at(hit.t);
-  point.normal = unit_or_zero(placed.normal_matrix * hit.normal);
-  if (glm::dot(point.normal, ray.direction) > 0) point.normal = -point.normal;  // two-sided, from behind
-  point.flat_normal = point.normal;
+  point.flat_normal = point.normal = unit_or_zero(placed.normal_matrix * hit.normal);
+  point.tangent = placed.tangent;
+  if (const auto* field = std::get_if<HeightField>(&placed.shape.surface); field && point.tangent != glm::dvec4(0))
+    point.normal = unit_or_zero(placed.normal_matrix * glm::cross(field->flat.half_u, field->flat.half_v));
+  if (glm::dot(point.flat_normal, ray.direction) > 0) {  // two-sided, from behind: as on a triangle
+    point.normal = -point.normal;
+    point.flat_normal = -point.flat_normal;
+    point.tangent = -point.tangent;
+  }
   point.texcoord = hit.texcoord;
   point.material = placed.shape.material;
   point.thing = int(scene_.nodes.size() + index);

@@ -15,14 +15,16 @@ namespace atelier::oracle {
 
 /// A visible surface point, ready for shading.
 struct SurfacePoint {
-  double t = 0;              ///< ray parameter
-  glm::dvec3 position{0};    ///< world space, metres
-  glm::dvec3 normal{0};      ///< interpolated, of unit length, or zero if there is none; flipped to the visible side on
-                             ///< two-sided materials
+  double t = 0;            ///< ray parameter
+  glm::dvec3 position{0};  ///< world space, metres
+  /// Interpolated, of unit length, or zero if there is none; flipped to the visible side on two-sided materials. Of a
+  /// height field whose material has a normal texture: the rectangle's, because such a map stores the relief's normals
+  /// relative to it; without one the relief's.
+  glm::dvec3 normal{0};
   double normal_length = 1;  ///< of the interpolated normal, at most 1: the vertices' normals have unit length
   glm::dvec4 tangent{0};     ///< world space: along +u, interpolated between unit vectors; w as in tangents.hpp. Turned
-                             ///< round like the normal. 0 where there is none: on shapes, and where the material has no
-                             ///< normal texture
+                             ///< round like the normal. On rectangles and height fields along half_u. 0 where there is
+                             ///< none: on other shapes, and where the material has no normal texture
   glm::dvec3 flat_normal{0};  ///< geometric normal, of unit length, on the visible side
   glm::dvec2 texcoord{0};
   int material = 0;  ///< index into Scene::materials
@@ -33,8 +35,8 @@ struct SurfacePoint {
 class World {
  public:
   /// Transforms the scene's nodes with world_matrices_exact, and adds the shapes. Keeps a reference to the scene, which
-  /// must outlive the world. Throws Error as validate() does, and if a shape's matrix cannot be inverted or its
-  /// material is not one of the scene's.
+  /// must outlive the world. Throws Error as validate() does, and if a shape's matrix cannot be inverted, its material
+  /// is not one of the scene's, or it is a height field that is not valid (oracle/height_field.hpp).
   explicit World(const Scene& scene, std::vector<Shape> shapes = {});
   explicit World(Scene&& scene, std::vector<Shape> shapes = {}) = delete;  // a temporary would not outlive the world
 
@@ -79,13 +81,15 @@ class World {
     Shape shape;
     glm::dmat4 world_to_object;
     glm::dmat3 normal_matrix;
-    Box3 box;  ///< bounding box, world space
+    Box3 box;            ///< bounding box, world space
+    glm::dvec4 tangent;  ///< world space, seen from the front; 0 if there is none
   };
   struct Found;
 
   void place_nodes();
   void place_shapes(std::vector<Shape> shapes);
   void build_tree();
+  glm::dvec4 tangent_of(const Shape& shape) const;
   bool casts_shadow(std::uint32_t thing) const;
   std::array<glm::dvec3, 3> corners_of(const Triangle& triangle) const;
   Ray ray_in_object_space(const PlacedShape& placed, const Ray& ray) const;

@@ -30,12 +30,24 @@ Scene crowded_scene() {
   return scene;
 }
 
+/// Hills and valleys, `texels` a side.
+std::shared_ptr<const Texture> rough_heights(int texels) {
+  Texture heights{.name = "rough", .pixels = Image(texels, texels)};
+  Dice dice;
+  for (Rgba& pixel : heights.pixels.pixels()) pixel.r = float(dice.next());
+  return std::make_shared<const Texture>(std::move(heights));
+}
+
 std::vector<oracle::Shape> one_of_each() {
   const auto at = [](const glm::dvec3& position) { return glm::translate(glm::dmat4(1), position); };
   return {{.surface = oracle::Sphere{0.3}, .object_to_world = at({0.5, 0.6, 1})},
           {.surface = oracle::CylinderWall{.radius = 0.2, .height = 0.7}, .object_to_world = at({-1, 0.1, -1})},
           {.surface = oracle::Rectangle{.half_u = {0.4, 0, 0.2}, .half_v = {-0.1, 0.3, 0.2}},
-           .object_to_world = at({0.2, 1, -0.8})}};
+           .object_to_world = at({0.2, 1, -0.8})},
+          {.surface = oracle::HeightField{.flat = {.half_u = {0.5, 0, 0.2}, .half_v = {-0.2, 0, 0.5}},
+                                          .heights = rough_heights(8),
+                                          .depth = 0.5},
+           .object_to_world = at({-0.6, 1.2, 0.9})}};
 }
 
 /// From the point to sample (column, row) of n x n on the light, by the words of oracle/shadow.hpp and glm's lookAt.
