@@ -12,6 +12,8 @@
 // A tangent is a vec4. xyz has unit length and points along +u. w is the sign of the bitangent, which is not stored:
 // B = w cross(N, T) points along +v. w is -1 where the texture is mirrored. This is how glTF 2.0 stores tangents too.
 // (0, 0, 0, 0) means: there is no frame here, the surface is shaded as if it had no normal map.
+//
+// Mesh, Vertex and Wrap are declared in common/scene/scene.hpp, Image in common/image/image.hpp.
 #pragma once
 
 #include <cmath>

@@ -123,7 +123,8 @@ Need MappedSurface::need(const Scene& scene, const View& view, const Node& node)
 }
 
 std::map<Slot, SlotCode> MappedSurface::slots() const {
-  return {{Slot::modify_surface, {"05-normal-mapping/given/mapped_surface.glsl", "map_normal"}}};
+  const std::string file = "05-normal-mapping/given/mapped_surface.glsl";
+  return {{Slot::displace_texcoord, {file, "find_tangent"}}, {Slot::modify_surface, {file, "map_normal"}}};
 }
 
 std::map<std::string, std::string> MappedSurface::outputs() const {

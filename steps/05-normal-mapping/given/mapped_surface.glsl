@@ -1,30 +1,16 @@
 // Applies a normal map to a surface point with the student's functions. Given.
-#include "05-normal-mapping/normal_mapping.glsl"
+#include "05-normal-mapping/given/surface_tangent.glsl"
+#include "05-normal-mapping/given/view.glsl"
 
 #ifdef RECORDED_NORMALS
-uniform mat4 u_view;
-
 vec3 recorded_normal_of(Surface surface) { return recorded_normal(mat3(u_view), surface.normal_world); }
 #endif
 
 #ifdef NORMAL_MAP
 uniform sampler2D u_normal_map;
 
-// The tangent on the side of the surface that is seen. From behind, a bump is a dent: the mapped normal as a whole turns
-// round, so all three axes do; as B = w cross(N, T), the sign w turns too.
-vec4 tangent_at(Surface surface) {
-#ifdef TWO_SIDED
-  float side = gl_FrontFacing ? 1.0 : -1.0;
-#else
-  const float side = 1.0;
-#endif
-#ifdef DERIVATIVE_TANGENTS
-  return side * derivative_tangent(side * surface.normal_world, dFdx(surface.position_world),
-                                   dFdy(surface.position_world), dFdx(surface.texcoord), dFdy(surface.texcoord));
-#else
-  return side * surface.tangent_world;
-#endif
-}
+// Of the surface before its position and texture coordinate were changed (06).
+vec4 surface_tangent = vec4(0.0);
 
 #ifdef LIGHT_SPACE
 // Lighting in tangent space: what to_light_space needs.
@@ -43,9 +29,15 @@ float exponent_of(float exponent) { return filtered_exponent(exponent, normal_te
 
 #endif
 
+void find_tangent(inout Surface surface) {
+#ifdef NORMAL_MAP
+  surface_tangent = tangent_at(surface);
+#endif
+}
+
 void map_normal(inout Surface surface) {
 #ifdef NORMAL_MAP
-  vec4 tangent = tangent_at(surface);
+  vec4 tangent = surface_tangent;
   vec3 texel = texture(u_normal_map, surface.texcoord).rgb, stored = decode_normal(texel);
 #ifdef FILTERED_EXPONENT
   normal_texel = texel;

@@ -1,0 +1,2 @@
+// The view matrix, in the fragment shader. Given.
+uniform mat4 u_view;
