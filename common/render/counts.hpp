@@ -11,7 +11,7 @@ struct SceneCounts {
   std::int64_t nodes_culled = 0;   ///< of those, skipped because they are outside the view
   std::int64_t matrices = 0;       ///< world and normal matrices computed
   std::int64_t lights = 0;         ///< summed by the shaders for each point
-  std::int64_t lookups = 0;        ///< shadow map texels read for each point, in the maps of all lights
+  std::int64_t lookups = 0;        ///< texels of shadow maps and height maps read for each point
   std::int64_t lights_culled = 0;  ///< of the scene's others, skipped because they are too weak to be visible
 };
 

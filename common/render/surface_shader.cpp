@@ -16,7 +16,7 @@ namespace {
 /// The renderer's own intermediate results, as vec3 expressions of `surface`.
 const std::map<std::string, std::string>& own_outputs() {
   static const std::map<std::string, std::string> outputs = {
-      {"depth", "vec3(gl_FragCoord.z)"},
+      {"depth", "vec3(FRAGMENT_Z)"},
       {"normal", "encode_direction(surface.normal_world)"},
       {"position", "surface.position_world"},
       {"texcoord", "vec3(surface.texcoord, 0.0)"},
@@ -42,6 +42,11 @@ in vec3 v_normal_world;
 in vec2 v_texcoord;
 uniform vec3 u_eye_world;
 out vec4 o_colour;
+#ifdef FRAGMENT_DEPTH
+#define FRAGMENT_Z surface.depth
+#else
+#define FRAGMENT_Z gl_FragCoord.z
+#endif
 
 // A direction as a colour: -1..1 becomes 0..1. The zero vector becomes middle grey.
 vec3 encode_direction(vec3 v) {
@@ -207,6 +212,9 @@ constexpr const char* surface_statement =
     "  surface.eye_world = u_eye_world;\n"
     "#ifdef TANGENTS\n"
     "  surface.tangent_world = v_tangent_world;\n"
+    "#endif\n"
+    "#ifdef FRAGMENT_DEPTH\n"
+    "  surface.depth = gl_FragCoord.z;\n"
     "#endif\n";
 
 /// The constants that are passed to the fragment stage as varyings. Drivers may use four components for each varying,
@@ -270,6 +278,7 @@ std::string fragment_stage(const SurfaceKey& key, const PassedConstants& constan
     text += calls(Slot::modify_shaded, key, "  shaded = {}(surface, shaded);\n");
   }
   text += fmt::format("  o_colour = vec4({}, 1.0);\n", output);
+  if (key.structure.contains("FRAGMENT_DEPTH")) text += "  gl_FragDepth = surface.depth;\n";
   if (key.structure.contains(marks_non_finite))
     text += "  if (any(isnan(o_colour)) || any(isinf(o_colour))) o_colour = vec4(1.0, 0.0, 1.0, 1.0);\n";
   return text + "}\n";

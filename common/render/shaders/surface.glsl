@@ -7,6 +7,9 @@ struct Surface {
 #ifdef TANGENTS
   vec4 tangent_world;  // along +u, interpolated between unit vectors; w is the sign of the bitangent; xyz is 0 if there is none. Of the front side
 #endif
+#ifdef FRAGMENT_DEPTH
+  float depth;  // as it is stored, 0..1
+#endif
 #ifdef LIGHT_SPACE
   vec3 normal_light;  // the normal in the space in which light is computed
 #endif

@@ -1,4 +1,4 @@
-// The features of steps 02 to 04 on a renderer, with room for others beside them.
+// The features of steps 02 to 06 on a renderer, with room for others beside them.
 #pragma once
 
 #include "01-transforms/given/functions.hpp"
@@ -10,6 +10,8 @@
 #include "04-point-shadows/given/point_shadowed_surface.hpp"
 #include "04-point-shadows/given/scenes.hpp"
 #include "04-point-shadows/given/studies.hpp"
+#include "05-normal-mapping/given/mapped_surface.hpp"
+#include "06-parallax-mapping/given/relief_surface.hpp"
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "gl/context.hpp"
@@ -30,6 +32,8 @@ inline std::vector<SettingSpec> all_settings() {
   add_new(shadow_scene_settings());
   add_new(point_scene_settings());
   add_new(study_settings());
+  add_new(normal_mapping_settings());
+  add_new(parallax_settings());
   return all;
 }
 
@@ -43,6 +47,14 @@ inline FeatureList features_of(int step) {
     const auto& maps = list.add<ShadowedSurface>(lit.lights(), cones.frusta());
     list.add<PointShadowedSurface>(lit.lights(), maps.maps());
   }
+  return list;
+}
+
+/// Normal maps and reliefs, behind the features of a step.
+inline FeatureList with_reliefs(int step) {
+  FeatureList list = features_of(step);
+  list.add<MappedSurface>();
+  list.add<ReliefSurface>();
   return list;
 }
 

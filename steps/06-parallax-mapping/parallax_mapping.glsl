@@ -1,0 +1,113 @@
+// 06-parallax-mapping, for every pixel: where does the ray from the eye meet the relief? The contract of a function is
+// the comment above it.
+//
+// The relief lies below the surface. In texture coordinates it is a height field: height_at(texcoord), 0 to 1, given in
+//   #include "06-parallax-mapping/given/relief.glsl"
+// Height 1 is the surface itself, height 0 is the deepest level, u_depth below it (as a fraction of the texture's side,
+// like the depth of step 05's height maps). A ray enters at (texcoord, height 1) and reaches height 0 at texcoord + span.
+// A point of the ray is named by t, 0 to 1, the fraction of this way: its texture coordinate is texcoord + t span, its
+// height 1 - t.
+#include "06-parallax-mapping/given/relief.glsl"
+
+// ---- The ray
+
+// The way in texture coordinates that a ray takes from height 1 to height 0, away from the eye. `to_eye` is the unit
+// vector to the eye in tangent space: x along u, y along v, z away from the surface. z counts as at least 0.05, also
+// where it is negative, so that the way is at most 20 depths. (0, 0) for a vector with a NaN. Handout, section 1.
+// to_eye = (0.6, 0, 0.8), depth 0.04: (-0.03, 0).
+vec2 parallax_span(vec3 to_eye, float depth) {
+  // TODO(06-parallax-mapping): away from the eye, the farther the flatter the view
+  return vec2(0.0);
+}
+
+// Parallax mapping with one lookup (Kaneko et al. 2001): t of the point where the ray has the height of the relief at
+// `texcoord`, as if the relief were flat around it. Handout, section 2.
+float offset_hit(vec2 texcoord) {
+  // TODO(06-parallax-mapping): the depth of the relief right here
+  return 0.0;
+}
+
+// ---- Marching
+
+// The first of `layers` equal steps down the ray that ends in the relief: the ray is cut at t = 0, 1/layers, 2/layers,
+// ... 1, and the answer is the interval (t before, t after) of the first step whose end has a height of at most that of
+// the relief there. (0, 0) where the relief is at least 1 high at `texcoord` already. layers >= 1. As no relief is below
+// 0, the last step always ends in it. Handout, section 3. You may call: height_at.
+vec2 first_step_below(vec2 texcoord, vec2 span, int layers) {
+  // TODO(06-parallax-mapping): step down until the ray is in the relief
+  return vec2(0.0);
+}
+
+// Parallax occlusion mapping: t of the point of a step (t before, t after) at which the ray meets the straight line
+// between the heights of the relief at both ends (one step of the secant method). At its begin the ray is above the
+// relief, at its end below it or on it; where it is on it at both ends, the begin. Handout, section 4. You may call:
+// height_at.
+float secant_hit(vec2 texcoord, vec2 span, vec2 step) {
+  // TODO(06-parallax-mapping): two similar triangles
+  return step.y;
+}
+
+// (further) Relief mapping (Policarpo et al. 2005): a step (t before, t after) halved `bisections` times, always keeping
+// the half whose begin is above the relief and whose end is in it. The answer is the middle of what is left; with 0
+// bisections the middle of the step. Handout, section 5. You may call: height_at.
+float bisected_hit(vec2 texcoord, vec2 span, vec2 step, int bisections) {
+  // TODO(06-parallax-mapping): which half?
+  return step.y;
+}
+
+// How many layers a pixel needs: one for each pixel that the ray crosses on the screen, rounded up, at least 1 and at
+// most `most`. dx and dy are the changes of the texture coordinate to the neighbouring pixel on the right and above, so
+// span = x dx + y dy says how many pixels it crosses: the length of (x, y). `most` where dx and dy are zero or parallel
+// (the absolute value of their determinant is at most 1e-6 |dx| |dy|). Handout, section 6.
+// dx = (0.01, 0), dy = (0, 0.02), span = (0.03, 0.08): (3, 4), so 5.
+int layers_needed(vec2 span, vec2 dx, vec2 dy, int most) {
+  // TODO(06-parallax-mapping): the span in pixels
+  return 1;
+}
+
+// ---- Light
+
+// (further) Whether the relief hides a light: 1 where the point is lit, 0 where it is in the shadow of the relief. The
+// point of the relief has the coordinate `texcoord` and the height `height`. light_span is the way in texture
+// coordinates that the ray to the light takes from height 0 to height 1. The rest of the ray, from `height` up to 1, is
+// cut into `samples` equal steps; the point is in shadow if at the end of any step but the last the relief is higher
+// than the ray by more than 0.001. samples >= 1; with 1 it is always lit. Handout, section 7. You may call: height_at.
+float relief_visibility(vec2 texcoord, float height, vec2 light_span, int samples) {
+  // TODO(06-parallax-mapping): climb towards the light
+  return 1.0;
+}
+
+// ---- Where the relief is
+
+// The world position of the point of the relief, so that lights, shadows and other objects find it there: on
+// the line from the eye through `position`, a point of the surface, farther away. The relief's deepest level is
+// `depth` metres below the surface; to_eye is the unit vector to the eye in tangent space, whose z counts as in
+// parallax_span. Handout, section 8.
+vec3 relief_position(vec3 position, vec3 eye, vec3 to_eye, float depth, float t) {
+  // TODO(06-parallax-mapping): how long is the ray between the surface and a level below it?
+  return position;
+}
+
+// (further) The depth of a world position in the depth buffer, 0 to 1, what OpenGL computes for a vertex there: for
+// gl_FragDepth. Handout, section 8.
+float depth_of(mat4 world_to_clip, vec3 position) {
+  // TODO(06-parallax-mapping): clip space, -1..1, 0..1
+  return gl_FragCoord.z;
+}
+
+// (further) Whether a texture coordinate is outside of the rectangle from `low` to `high`, so that the ray has left the
+// relief through a side. Its edge belongs to the rectangle. Handout, section 8.
+bool beyond_edges(vec2 texcoord, vec2 low, vec2 high) {
+  // TODO(06-parallax-mapping): any side
+  return false;
+}
+
+// ---- A map of a rendered scene
+
+// The height of a pixel of a picture that serves as a height map of what it shows: 1 at the distance `nearest` in front
+// of the camera, 0 at `farthest`, in between in proportion, never outside of 0 to 1. `position` is in view space: the
+// camera looks along -z. 0 <= nearest < farthest, metres. Handout, section 9.
+float recorded_height(vec3 position, float nearest, float farthest) {
+  // TODO(06-parallax-mapping): linear in the distance along the view direction
+  return 1.0;
+}
