@@ -45,8 +45,8 @@ struct HeightField {
   /// its plane, also meets what lies farther along it, to 100 half sides from the centre. A ray that starts beyond the
   /// sides and does not come over the rectangle meets nothing, so the part behind them casts no shadow on itself.
   bool edges = true;
-  /// Whether it is seen through the rectangle alone: a ray that begins above the rectangle's plane and does not cross it
-  /// within the rectangle meets nothing.
+  /// Whether it is seen through the rectangle alone: a ray that begins above the rectangle's plane and does not cross
+  /// it within the rectangle meets nothing.
   bool window = false;
 };
 

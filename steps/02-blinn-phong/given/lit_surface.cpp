@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
-#include "02-blinn-phong/given/texture_filter.hpp"
+#include "02-blinn-phong/given/scene_texture.hpp"
 #include "app/frame_settings.hpp"
 #include "gl/compact_texture.hpp"
 #include "gl/debug.hpp"
@@ -138,11 +138,7 @@ void LitSurface::prepare(Gl& gl, const Scene& scene) {
       const Texture& texture = scene.textures[std::size_t(*index)];
       const Image stored = encoded(texture.pixels);
       const Image base = decode_after_filter_ ? stored : decoded(stored);
-      const Filter filter = chosen_filter(filter_, texture.filter);
-      const std::vector<Image> levels =
-          filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
-      textures_[std::size_t(*index)] = GlTexture(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
-      label(gl, GL_TEXTURE, textures_[std::size_t(*index)].id(), texture.name);
+      textures_[std::size_t(*index)] = upload_scene_texture(gl, texture, base, filter_);
       if (compact_textures_)
         store_in_8_bits(gl, textures_[std::size_t(*index)].id(),
                         decode_after_filter_ ? Encoding::srgb : Encoding::linear);

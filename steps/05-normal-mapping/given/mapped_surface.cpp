@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "02-blinn-phong/given/texture_filter.hpp"
+#include "02-blinn-phong/given/scene_texture.hpp"
+#include "05-normal-mapping/given/mesh_tangents.hpp"
 #include "05-normal-mapping/normal_mapping.hpp"
 #include "gl/compact_texture.hpp"
-#include "gl/debug.hpp"
 
 namespace atelier {
 
@@ -76,23 +76,15 @@ std::optional<NormalSource> MappedSurface::source_of(const Scene& scene, const M
 
 std::vector<glm::vec4> MappedSurface::tangents(const Scene& scene, int mesh) const {
   if (derivatives_) return {};
-  const bool mapped = std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
-    return node.mesh == mesh && source_of(scene, scene.materials[std::size_t(node.material)]);
-  });
-  if (!mapped) return {};
-  const Mesh& drawn = scene.meshes[std::size_t(mesh)];
-  return drawn.tangents.empty() ? normal_mapping::vertex_tangents(drawn) : drawn.tangents;
+  return mesh_tangents(scene, mesh, [&](const Material& material) { return source_of(scene, material).has_value(); });
 }
 
 GlTexture MappedSurface::map_of(Gl& gl, const Texture& texture, bool heights) const {
   const Image base =
       heights ? normal_mapping::normals_from_heights(texture.pixels, depth_, texture.wrap) : texture.pixels;
-  const Filter filter = chosen_filter(filter_, texture.filter);
-  const std::vector<Image> levels = filter == Filter::mipmap ? blinn_phong::mipmaps(base) : std::vector<Image>{base};
-  GlTexture map(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
+  GlTexture map = upload_scene_texture(gl, texture, base, filter_);
   if (format_ == Format::byte) store_in_8_bits(gl, map.id(), Encoding::data);
   if (format_ == Format::float16) store_in_16_bits(gl, map.id());
-  label(gl, GL_TEXTURE, map.id(), texture.name);
   return map;
 }
 

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "02-blinn-phong/given/texture_filter.hpp"
-#include "05-normal-mapping/normal_mapping.hpp"
-#include "gl/debug.hpp"
+#include "02-blinn-phong/given/scene_texture.hpp"
+#include "05-normal-mapping/given/mesh_tangents.hpp"
 
 namespace atelier {
 
@@ -84,12 +83,7 @@ bool ReliefSurface::has_relief(const Scene& scene, const Material& material) con
 
 std::vector<glm::vec4> ReliefSurface::tangents(const Scene& scene, int mesh) const {
   if (derivatives_) return {};
-  const bool used = std::any_of(scene.nodes.begin(), scene.nodes.end(), [&](const Node& node) {
-    return node.mesh == mesh && has_relief(scene, scene.materials[std::size_t(node.material)]);
-  });
-  if (!used) return {};
-  const Mesh& drawn = scene.meshes[std::size_t(mesh)];
-  return drawn.tangents.empty() ? normal_mapping::vertex_tangents(drawn) : drawn.tangents;
+  return mesh_tangents(scene, mesh, [&](const Material& material) { return has_relief(scene, material); });
 }
 
 void ReliefSurface::prepare(Gl& gl, const Scene& scene) {
@@ -98,12 +92,7 @@ void ReliefSurface::prepare(Gl& gl, const Scene& scene) {
     const Material& material = scene.materials[std::size_t(node.material)];
     if (!node.mesh || !has_relief(scene, material) || heights_.contains(*material.height_texture)) continue;
     const Texture& texture = scene.textures[std::size_t(*material.height_texture)];
-    const Filter filter = chosen_filter(filter_, texture.filter);
-    const std::vector<Image> levels =
-        filter == Filter::mipmap ? blinn_phong::mipmaps(texture.pixels) : std::vector<Image>{texture.pixels};
-    GlTexture map(gl, blinn_phong::upload_texture(gl, levels, texture.wrap, filter));
-    label(gl, GL_TEXTURE, map.id(), texture.name);
-    heights_.emplace(*material.height_texture, std::move(map));
+    heights_.emplace(*material.height_texture, upload_scene_texture(gl, texture, texture.pixels, filter_));
   }
   edges_ = edges_of(scene);
 }
