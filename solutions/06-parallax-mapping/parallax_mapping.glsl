@@ -53,36 +53,37 @@ vec2 first_step_below(vec2 texcoord, vec2 span, int layers) {
   // <<< student
 }
 
-// Parallax occlusion mapping: t of the point of a step (t before, t after) at which the ray meets the straight line
+// Parallax occlusion mapping: t of the point of an interval (t before, t after) at which the ray meets the straight line
 // between the heights of the relief at both ends (one step of the secant method). At its begin the ray is above the
 // relief, at its end below it or on it; where it is on it at both ends, the begin. Handout, section 4. You may call:
 // height_at.
-float secant_hit(vec2 texcoord, vec2 span, vec2 step) {
+float secant_hit(vec2 texcoord, vec2 span, vec2 interval) {
   // >>> student: two similar triangles
-  float above = 1.0 - step.x - height_at(texcoord + step.x * span);
-  float below = height_at(texcoord + step.y * span) - (1.0 - step.y);
+  float above = 1.0 - interval.x - height_at(texcoord + interval.x * span);
+  float below = height_at(texcoord + interval.y * span) - (1.0 - interval.y);
   float both = above + below;
-  return both > 0.0 ? mix(step.x, step.y, above / both) : step.x;
+  return both > 0.0 ? mix(interval.x, interval.y, above / both) : interval.x;
   // --- skeleton
-  // | return step.y;
+  // | return interval.y;
   // <<< student
 }
 
-// (further) Relief mapping (Policarpo et al. 2005): a step (t before, t after) halved `bisections` times, always keeping
-// the half whose begin is above the relief and whose end is in it. The answer is the middle of what is left; with 0
-// bisections the middle of the step. Handout, section 5. You may call: height_at.
-float bisected_hit(vec2 texcoord, vec2 span, vec2 step, int bisections) {
+// (further) Relief mapping (Policarpo et al. 2005): an interval (t before, t after) whose begin is above the relief and
+// whose end is in it. It is halved `bisections` times, and the same must stay true; a middle that is on the relief counts
+// as in it. The answer is the middle of what is left; with 0 bisections that of the whole. Handout, section 5. You may
+// call: height_at.
+float bisected_hit(vec2 texcoord, vec2 span, vec2 interval, int bisections) {
   // >>> student: which half?
   for (int i = 0; i < bisections; ++i) {
-    float middle = 0.5 * (step.x + step.y);
+    float middle = 0.5 * (interval.x + interval.y);
     if (1.0 - middle <= height_at(texcoord + middle * span))
-      step.y = middle;
+      interval.y = middle;
     else
-      step.x = middle;
+      interval.x = middle;
   }
-  return 0.5 * (step.x + step.y);
+  return 0.5 * (interval.x + interval.y);
   // --- skeleton
-  // | return step.y;
+  // | return interval.y;
   // <<< student
 }
 
@@ -123,15 +124,15 @@ float relief_visibility(vec2 texcoord, float height, vec2 light_span, int sample
 
 // ---- Where the relief is
 
-// The world position of the point of the relief, so that lights, shadows and other objects find it there: on
-// the line from the eye through `position`, a point of the surface, farther away. The relief's deepest level is
-// `depth` metres below the surface; to_eye is the unit vector to the eye in tangent space, whose z counts as in
-// parallax_span. Handout, section 8.
-vec3 relief_position(vec3 position, vec3 eye, vec3 to_eye, float depth, float t) {
+// The world position of the point of the relief, so that lights, shadows and other objects find it there: on the line
+// from the eye through `position`, a point of the surface, farther away. The deepest level of the relief is `metres`
+// below the surface; to_eye is the unit vector to the eye in tangent space, whose z counts as in parallax_span. Where the
+// eye is at `position`, the position. Handout, section 8.
+vec3 relief_position(vec3 position, vec3 eye, vec3 to_eye, float metres, float t) {
   // >>> student: how long is the ray between the surface and a level below it?
   vec3 way = position - eye;
   float size = length(way);
-  return size > 0.0 ? position + way / size * (t * depth / max(to_eye.z, 0.05)) : position;
+  return size > 0.0 ? position + way / size * (t * metres / max(to_eye.z, 0.05)) : position;
   // --- skeleton
   // | return position;
   // <<< student

@@ -34,17 +34,17 @@ float relief_hit(vec2 texcoord, vec2 span) {
 #ifdef ADAPTIVE
   layers = layers_needed(span, texcoord_dx, texcoord_dy, layers);
 #endif
-  vec2 step = first_step_below(texcoord, span, layers);
+  vec2 interval = first_step_below(texcoord, span, layers);
 #if METHOD == 2
-  return step.y;
+  return interval.y;
 #elif METHOD == 3
 #ifdef MEAN
-  return 0.5 * (step.x + step.y);
+  return 0.5 * (interval.x + interval.y);
 #else
-  return secant_hit(texcoord, span, step);
+  return secant_hit(texcoord, span, interval);
 #endif
 #else
-  return step.y > 0.0 ? bisected_hit(texcoord, span, step, BISECTIONS) : 0.0;
+  return interval.y > 0.0 ? bisected_hit(texcoord, span, interval, BISECTIONS) : 0.0;
 #endif
 #endif
 }
