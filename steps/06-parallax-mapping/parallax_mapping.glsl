@@ -38,21 +38,22 @@ vec2 first_step_below(vec2 texcoord, vec2 span, int layers) {
   return vec2(0.0);
 }
 
-// Parallax occlusion mapping: t of the point of a step (t before, t after) at which the ray meets the straight line
+// Parallax occlusion mapping: t of the point of an interval (t before, t after) at which the ray meets the straight line
 // between the heights of the relief at both ends (one step of the secant method). At its begin the ray is above the
 // relief, at its end below it or on it; where it is on it at both ends, the begin. Handout, section 4. You may call:
 // height_at.
-float secant_hit(vec2 texcoord, vec2 span, vec2 step) {
+float secant_hit(vec2 texcoord, vec2 span, vec2 interval) {
   // TODO(06-parallax-mapping): two similar triangles
-  return step.y;
+  return interval.y;
 }
 
-// (further) Relief mapping (Policarpo et al. 2005): a step (t before, t after) halved `bisections` times, always keeping
-// the half whose begin is above the relief and whose end is in it. The answer is the middle of what is left; with 0
-// bisections the middle of the step. Handout, section 5. You may call: height_at.
-float bisected_hit(vec2 texcoord, vec2 span, vec2 step, int bisections) {
+// (further) Relief mapping (Policarpo et al. 2005): an interval (t before, t after) whose begin is above the relief and
+// whose end is in it. It is halved `bisections` times, and the same must stay true; a middle that is on the relief counts
+// as in it. The answer is the middle of what is left; with 0 bisections that of the whole. Handout, section 5. You may
+// call: height_at.
+float bisected_hit(vec2 texcoord, vec2 span, vec2 interval, int bisections) {
   // TODO(06-parallax-mapping): which half?
-  return step.y;
+  return interval.y;
 }
 
 // How many layers a pixel needs: one for each pixel that the ray crosses on the screen, rounded up, at least 1 and at
@@ -79,11 +80,11 @@ float relief_visibility(vec2 texcoord, float height, vec2 light_span, int sample
 
 // ---- Where the relief is
 
-// The world position of the point of the relief, so that lights, shadows and other objects find it there: on
-// the line from the eye through `position`, a point of the surface, farther away. The relief's deepest level is
-// `depth` metres below the surface; to_eye is the unit vector to the eye in tangent space, whose z counts as in
-// parallax_span. Handout, section 8.
-vec3 relief_position(vec3 position, vec3 eye, vec3 to_eye, float depth, float t) {
+// The world position of the point of the relief, so that lights, shadows and other objects find it there: on the line
+// from the eye through `position`, a point of the surface, farther away. The deepest level of the relief is `metres`
+// below the surface; to_eye is the unit vector to the eye in tangent space, whose z counts as in parallax_span. Where the
+// eye is at `position`, the position. Handout, section 8.
+vec3 relief_position(vec3 position, vec3 eye, vec3 to_eye, float metres, float t) {
   // TODO(06-parallax-mapping): how long is the ray between the surface and a level below it?
   return position;
 }

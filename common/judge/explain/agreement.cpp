@@ -57,20 +57,28 @@ Agreement::Witness Agreement::witness(const std::string& mistake, const std::str
   return would_change ? Witness::contradicts : Witness::none;
 }
 
+bool Agreement::could_be_patch(const std::string& mistake, std::size_t index) const {
+  const CaseResult& result = results_[index];
+  if (result.status != Status::passed && result.status != Status::failed) return true;
+  const auto& known = references_.atlas(cases_[index]).values.mistakes;
+  const auto patch = known.find(mistake);
+  if (patch == known.end()) return true;
+  if (patch->second.empty()) return result.status == Status::passed;
+  return std::find(result.could_be.begin(), result.could_be.end(), mistake) != result.could_be.end();
+}
+
 Agreement::Witness Agreement::witness(const std::string& mistake, const std::string& function) const {
   Witness probes = Witness::none, pictures = Witness::none;
   bool as_drawn = true;  // the pictures of mistakes are those of their patches, not of other spellings
   for (std::size_t i = 0; i < results_.size(); ++i) {
     const Witness one = witness(mistake, function, i);
-    if (one == Witness::none) continue;
     if (!is_probe(cases_[i])) {
-      pictures = one;
+      if (one != Witness::none) pictures = one;
       continue;
     }
     if (one == Witness::contradicts) return one;
-    probes = one;
-    const std::vector<std::string>& forms = results_[i].could_be;
-    as_drawn = as_drawn && std::find(forms.begin(), forms.end(), mistake) != forms.end();
+    if (one == Witness::agrees) probes = one;
+    as_drawn = as_drawn && could_be_patch(mistake, i);
   }
   return pictures == Witness::contradicts && as_drawn ? pictures : probes;
 }

@@ -28,6 +28,9 @@ class Agreement {
   Witness witness(const std::string& mistake, const std::string& function) const;
   Witness witness(const std::string& mistake, const std::string& function, std::size_t index) const;
 
+  /// Whether the answer to a probe is that of the mistake's patch, and not only of another spelling.
+  bool could_be_patch(const std::string& mistake, std::size_t index) const;
+
   const std::vector<CaseResult>& results_;
   const std::vector<JudgedCase>& cases_;
   const StepReferences& references_;
