@@ -67,7 +67,7 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"nodes_culled", scene.nodes_culled, "of those, skipped because they are outside the view"},
       {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
       {"lights", scene.lights, "lights summed by the shaders for each point"},
-      {"lookups", scene.lookups, "texels of shadow maps and height maps read by the shaders for each point"},
+      {"lookups", scene.lookups, "texels of shadow and height maps read by the shaders for each point"},
       {"lights_culled", scene.lights_culled, "lights of the scene, skipped because they are too weak to be visible"},
   };
 }

@@ -16,7 +16,7 @@ namespace {
 /// The renderer's own intermediate results, as vec3 expressions of `surface`.
 const std::map<std::string, std::string>& own_outputs() {
   static const std::map<std::string, std::string> outputs = {
-      {"depth", "vec3(FRAGMENT_Z)"},
+      {"depth", "vec3(gl_FragCoord.z)"},
       {"normal", "encode_direction(surface.normal_world)"},
       {"position", "surface.position_world"},
       {"texcoord", "vec3(surface.texcoord, 0.0)"},
@@ -42,11 +42,6 @@ in vec3 v_normal_world;
 in vec2 v_texcoord;
 uniform vec3 u_eye_world;
 out vec4 o_colour;
-#ifdef FRAGMENT_DEPTH
-#define FRAGMENT_Z surface.depth
-#else
-#define FRAGMENT_Z gl_FragCoord.z
-#endif
 
 // A direction as a colour: -1..1 becomes 0..1. The zero vector becomes middle grey.
 vec3 encode_direction(vec3 v) {
@@ -137,6 +132,7 @@ std::string calls(Slot slot, const SurfaceKey& key, const char* statement) {
 /// If several features offer an output, the last one wins.
 std::string output_expression(const SurfaceKey& key) {
   if (key.output == "colour") return "shaded";
+  if (key.output == "depth" && key.structure.contains("FRAGMENT_DEPTH")) return "vec3(surface.depth)";
   if (const auto own = own_outputs().find(key.output); own != own_outputs().end()) return own->second;
   std::vector<std::string> known = {"colour"};
   for (const auto& [name, expression] : own_outputs()) known.push_back(name);

@@ -67,8 +67,12 @@ void MappedSurface::configure(const Settings& settings) {
   filter_ = settings.choice("texture.filter");
 }
 
+const TextureIndex& MappedSurface::texture_of(const Material& material) const {
+  return from_heights_ ? material.height_texture : material.normal_texture;
+}
+
 std::optional<NormalSource> MappedSurface::source_of(const Scene& scene, const Material& material) const {
-  const TextureIndex& texture = from_heights_ ? material.height_texture : material.normal_texture;
+  const TextureIndex& texture = texture_of(material);
   if (!enabled_ || !texture || (from_heights_ && depth_ == 0)) return std::nullopt;
   if (changes_nothing(scene.textures[std::size_t(*texture)].pixels, from_heights_)) return std::nullopt;
   return NormalSource{*texture, from_heights_};
@@ -123,8 +127,11 @@ std::map<std::string, std::string> MappedSurface::outputs() const {
   return {{"recorded_normal", "recorded_normal_of(surface)"}};
 }
 
-void MappedSurface::bind_material(Binder& binder, const Scene& scene, const Material& material) {
-  if (const auto source = source_of(scene, material)) binder.texture("u_normal_map", maps_.at(*source).id());
+void MappedSurface::bind_material(Binder& binder, const Scene&, const Material& material) {
+  const TextureIndex& texture = texture_of(material);
+  if (!texture) return;
+  if (const auto map = maps_.find({*texture, from_heights_}); map != maps_.end())
+    binder.texture("u_normal_map", map->second.id());
 }
 
 }  // namespace atelier

@@ -36,6 +36,7 @@ class MappedSurface : public Feature {
 
  private:
   enum class Format { float32, float16, byte };
+  const TextureIndex& texture_of(const Material& material) const;
   std::optional<NormalSource> source_of(const Scene& scene, const Material& material) const;
   GlTexture map_of(Gl& gl, const Texture& texture, bool heights) const;
 

@@ -148,9 +148,11 @@ void ReliefSurface::bind_view(Binder& binder, const Scene&, const Viewpoint&) {
   binder.set("u_recorded", recorded_);
 }
 
-void ReliefSurface::bind_material(Binder& binder, const Scene& scene, const Material& material) {
-  if (!has_relief(scene, material)) return;
-  binder.texture("u_height_map", heights_.at(*material.height_texture).id());
+void ReliefSurface::bind_material(Binder& binder, const Scene&, const Material& material) {
+  if (!material.height_texture) return;
+  const auto map = heights_.find(*material.height_texture);
+  if (map == heights_.end()) return;
+  binder.texture("u_height_map", map->second.id());
   binder.set("u_edges", edges_);
 }
 
