@@ -44,7 +44,7 @@ std::string error_words(ErrorMetric metric, double error) {
     case ErrorMetric::misclassified:
       return fmt::format("The fraction of wrong pixels is {:.3g}", error);
     case ErrorMetric::distance:
-      return fmt::format("The distance from the truth is {:.3g} m", error);
+      return fmt::format("The distance from the truth is {:.3g}, in the unit of the picture", error);
     case ErrorMetric::degrees:
       return fmt::format("The angle to the truth is {:.3g} degrees", error);
     case ErrorMetric::wrong:
