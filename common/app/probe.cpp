@@ -101,6 +101,9 @@ Numbers numbers_of(const glm::vec2& vector) {
 Numbers numbers_of(const glm::vec3& vector) {
   return {vector.x, vector.y, vector.z};
 }
+Numbers numbers_of(const glm::vec4& vector) {
+  return {vector.x, vector.y, vector.z, vector.w};
+}
 Numbers numbers_of(const glm::mat4& matrix) {
   Numbers numbers;
   for (int column = 0; column < 4; ++column)

@@ -51,6 +51,7 @@ void append(Numbers& numbers, const Values& more) {
 /// The numbers of a vector, or of a matrix, column by column.
 Numbers numbers_of(const glm::vec2& vector);
 Numbers numbers_of(const glm::vec3& vector);
+Numbers numbers_of(const glm::vec4& vector);
 Numbers numbers_of(const glm::mat4& matrix);
 
 /// {1} if the call throws std::invalid_argument, as contracts require where they refuse; {0} if it returns.

@@ -27,6 +27,14 @@ int add_material(Scene& scene, Material material) {
   return append(scene.materials, std::move(material));
 }
 
+int add_relief(Scene& scene, Material material, Relief relief, bool coloured, Filter filter) {
+  const std::string& name = material.name;
+  if (coloured) material.diffuse_texture = add_texture(scene, name, std::move(relief.colour), filter);
+  material.normal_texture = add_texture(scene, name + ": normals", std::move(relief.normal), filter);
+  material.height_texture = add_texture(scene, name + ": heights", std::move(relief.height), filter);
+  return add_material(scene, std::move(material));
+}
+
 int add_node(Scene& scene, Node node) {
   return append(scene.nodes, std::move(node));
 }

@@ -7,6 +7,7 @@
 
 #include <string>
 
+#include "scene/relief.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
@@ -14,6 +15,8 @@ namespace atelier {
 int add_mesh(Scene& scene, Mesh mesh);
 int add_texture(Scene& scene, std::string name, Image pixels, Filter filter = Filter::mipmap, Wrap wrap = Wrap::repeat);
 int add_material(Scene& scene, Material material);
+/// The material with the normals and heights of a relief, and with its colours if `coloured`.
+int add_relief(Scene& scene, Material material, Relief relief, bool coloured, Filter filter = Filter::linear);
 int add_node(Scene& scene, Node node);
 int add_light(Scene& scene, Light light);
 

@@ -14,20 +14,6 @@ using texture_detail::require;
 
 namespace {
 
-Image normals_of(const Image& height, double depth) {
-  const int n = height.width();
-  Image normals(n, n);
-  const auto h = [&](int x, int y) { return double(height.at((x + n) % n, (y + n) % n).r) * depth; };
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x) {
-      const double slope_u = (h(x + 1, y) - h(x - 1, y)) * n / 2;
-      const double slope_v = (h(x, y - 1) - h(x, y + 1)) * n / 2;  // v runs up, rows run down
-      const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope_u, -slope_v, 1)) * 0.5 + 0.5;
-      normals.at(x, y) = {float(normal.x), float(normal.y), float(normal.z), 1};
-    }
-  return normals;
-}
-
 struct Stroke {
   glm::dvec2 from, to;
 };
@@ -75,6 +61,23 @@ std::vector<Stroke> inscription() {
 
 }  // namespace
 
+Image normals_of_heights(const Image& heights, double depth, Wrap wrap) {
+  const int width = heights.width(), height = heights.height();
+  const auto inside = [&](int i, int count) {
+    return wrap == Wrap::repeat ? (i + count) % count : std::clamp(i, 0, count - 1);
+  };
+  const auto h = [&](int x, int y) { return double(heights.at(inside(x, width), inside(y, height)).r) * depth; };
+  Image normals(width, height);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      const double slope_u = (h(x + 1, y) - h(x - 1, y)) * width / 2;
+      const double slope_v = (h(x, y - 1) - h(x, y + 1)) * height / 2;  // v runs up, rows run down
+      const glm::dvec3 normal = glm::normalize(glm::dvec3(-slope_u, -slope_v, 1)) * 0.5 + 0.5;
+      normals.at(x, y) = {float(normal.x), float(normal.y), float(normal.z), 1};
+    }
+  return normals;
+}
+
 Relief make_relief(int size, double depth, const std::function<ReliefPoint(double u, double v)>& point) {
   require("relief", "size", size, 1, 8192);
   Relief relief{Image(size, size), Image(size, size), {}};
@@ -85,7 +88,7 @@ Relief make_relief(int size, double depth, const std::function<ReliefPoint(doubl
       const float height = float(here.height);
       relief.height.at(x, y) = {height, height, height, 1};
     }
-  relief.normal = normals_of(relief.height, depth);
+  relief.normal = normals_of_heights(relief.height, depth, Wrap::repeat);
   return relief;
 }
 

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 
 #include "image/image.hpp"
+#include "scene/scene.hpp"
 
 namespace atelier {
 
@@ -23,9 +24,14 @@ struct ReliefPoint {
   double height;  ///< 0..1
 };
 
+/// The normal map of a height map, from red of the pixels, in double precision: n = normalize(-dh/du, -dh/dv, 1) by
+/// central differences, stored as n/2 + 1/2. `wrap` says what is beyond the edges; mirrored_repeat is the edge's own
+/// texel there, as clamp_to_edge. `depth` is the height of 1, where the map is one unit wide and one high.
+Image normals_of_heights(const Image& heights, double depth, Wrap wrap);
+
 /// Evaluated at pixel centres, u to the right and v up, both 0..1; it must repeat with period 1. The normals are those
-/// of the height map: n = normalize(-dh/du, -dh/dv, 1) by central differences, wrapped around. `depth` is the height of
-/// 1, as a fraction of the texture's side; `size` the side in pixels, 1..8192.
+/// of the height map, wrapped around. `depth` is the height of 1, as a fraction of the texture's side; `size` the side
+/// in pixels, 1..8192.
 Relief make_relief(int size, double depth, const std::function<ReliefPoint(double u, double v)>& point);
 
 /// A brick wall in running bond. Seamless.

@@ -77,16 +77,16 @@ class Field {
   /// Known mistakes in others' words: NAME.patch and NAME.*.patch in FOLDER or FOLDER/NN-name.
   StepTrials spellings(const fs::path& folder) const {
     StepTrials tried{step_.name, {}};
-    const fs::path own = folder / step_.name;
-    for (const auto& entry : fs::directory_iterator(fs::is_directory(own) ? own : folder))
+    const fs::path own = folder / step_.name, place = fs::is_directory(own) ? own : folder;
+    for (const auto& entry : fs::directory_iterator(place))
       if (entry.path().extension() == ".patch")
         tried.trials.push_back({.mutant = {.id = entry.path().filename().string(), .kind = "spelling"}});
-    if (tried.trials.empty()) throw Error(fmt::format("{}: has no .patch files", folder.string()));
+    if (tried.trials.empty()) throw Error(fmt::format("{}: has no .patch files", place.string()));
     std::sort(tried.trials.begin(), tried.trials.end(),
               [](const Trial& a, const Trial& b) { return a.mutant.id < b.mutant.id; });
     for_each_parallel(tried.trials.size(), worker_threads(), [&](std::size_t i) {
       Trial& trial = tried.trials[i];
-      const fs::path patch = (fs::is_directory(own) ? own : folder) / trial.mutant.id;
+      const fs::path patch = place / trial.mutant.id;
       const Version version = workshop_.patched("given-" + patch.stem().string(), patch);
       judge_mutant(version, trial);
       if (trial.fate == Fate::not_built) trial.why = version.log;

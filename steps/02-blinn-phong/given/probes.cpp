@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "02-blinn-phong/blinn_phong.hpp"
+#include "app/probe_texture.hpp"
 #include "gl/query.hpp"
 
 namespace atelier {
@@ -52,9 +53,6 @@ Numbers probe_mipmaps(ProbeContext&, const Arguments& in) {
   return out;
 }
 
-Wrap wrap_of(int code) {
-  return code == 0 ? Wrap::repeat : code == 1 ? Wrap::mirrored_repeat : Wrap::clamp_to_edge;
-}
 Filter filter_of(int code) {
   return code == 0 ? Filter::nearest : code == 1 ? Filter::linear : Filter::mipmap;
 }

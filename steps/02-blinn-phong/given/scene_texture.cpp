@@ -5,12 +5,16 @@
 
 namespace atelier {
 
+namespace {
+
 Filter chosen_filter(const std::string& choice, Filter of_scene) {
   return choice == "nearest"  ? Filter::nearest
          : choice == "linear" ? Filter::linear
          : choice == "mipmap" ? Filter::mipmap
                               : of_scene;
 }
+
+}  // namespace
 
 GlTexture upload_scene_texture(Gl& gl, const Texture& texture, const Image& pixels, const std::string& choice) {
   const Filter filter = chosen_filter(choice, texture.filter);

@@ -8,11 +8,8 @@
 
 namespace atelier {
 
-/// The filter for the setting's value: "scene" leaves the texture's own.
-Filter chosen_filter(const std::string& choice, Filter of_scene);
-
-/// `pixels` as a texture with the name and the wrap mode of `texture`, and the filter of `choice`; with mipmaps if it
-/// uses them. Changes the texture binding.
+/// `pixels` as a texture with the name and the wrap mode of `texture`, and the filter of `choice`, where "scene"
+/// is the texture's own; with mipmaps if it uses them. Changes the texture binding.
 GlTexture upload_scene_texture(Gl& gl, const Texture& texture, const Image& pixels, const std::string& choice);
 
 }  // namespace atelier

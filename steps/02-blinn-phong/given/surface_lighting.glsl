@@ -97,10 +97,10 @@ void place_lights(bool there, vec3 origin) {
 #endif
 
 vec3 shade_material(Surface surface, Material m) {
+#ifdef VISIBILITY
 #ifdef LIGHT_SPACE
   place_lights(false, vec3(0.0));  // visibility is a matter of world space
 #endif
-#ifdef VISIBILITY
   find_visibility(surface.position_world, surface.normal_world);
 #endif
 #ifdef LIGHT_SPACE

@@ -71,21 +71,20 @@ const TextureIndex& MappedSurface::texture_of(const Material& material) const {
   return from_heights_ ? material.height_texture : material.normal_texture;
 }
 
-std::optional<NormalSource> MappedSurface::source_of(const Scene& scene, const Material& material) const {
+bool MappedSurface::is_mapped(const Scene& scene, const Material& material) const {
   const TextureIndex& texture = texture_of(material);
-  if (!enabled_ || !texture || (from_heights_ && depth_ == 0)) return std::nullopt;
-  if (changes_nothing(scene.textures[std::size_t(*texture)].pixels, from_heights_)) return std::nullopt;
-  return NormalSource{*texture, from_heights_};
+  if (!enabled_ || !texture || (from_heights_ && depth_ == 0)) return false;
+  return !changes_nothing(scene.textures[std::size_t(*texture)].pixels, from_heights_);
 }
 
 std::vector<glm::vec4> MappedSurface::tangents(const Scene& scene, int mesh) const {
   if (derivatives_) return {};
-  return mesh_tangents(scene, mesh, [&](const Material& material) { return source_of(scene, material).has_value(); });
+  return mesh_tangents(scene, mesh, [&](const Material& material) { return is_mapped(scene, material); });
 }
 
-GlTexture MappedSurface::map_of(Gl& gl, const Texture& texture, bool heights) const {
+GlTexture MappedSurface::map_of(Gl& gl, const Texture& texture) const {
   const Image base =
-      heights ? normal_mapping::normals_from_heights(texture.pixels, depth_, texture.wrap) : texture.pixels;
+      from_heights_ ? normal_mapping::normals_from_heights(texture.pixels, depth_, texture.wrap) : texture.pixels;
   GlTexture map = upload_scene_texture(gl, texture, base, filter_);
   if (format_ == Format::byte) store_in_8_bits(gl, map.id(), Encoding::data);
   if (format_ == Format::float16) store_in_16_bits(gl, map.id());
@@ -95,15 +94,15 @@ GlTexture MappedSurface::map_of(Gl& gl, const Texture& texture, bool heights) co
 void MappedSurface::prepare(Gl& gl, const Scene& scene) {
   maps_.clear();
   for (const Node& node : scene.nodes) {
-    if (!node.mesh) continue;
-    const auto source = source_of(scene, scene.materials[std::size_t(node.material)]);
-    if (source && !maps_.contains(*source))
-      maps_.emplace(*source, map_of(gl, scene.textures[std::size_t(source->texture)], source->heights));
+    const Material& material = scene.materials[std::size_t(node.material)];
+    if (!node.mesh || !is_mapped(scene, material)) continue;
+    const int texture = *texture_of(material);
+    if (!maps_.contains(texture)) maps_.emplace(texture, map_of(gl, scene.textures[std::size_t(texture)]));
   }
 }
 
 Need MappedSurface::need(const Scene& scene, const View& view, const Node& node) const {
-  const bool mapped = source_of(scene, scene.materials[std::size_t(node.material)]).has_value();
+  const bool mapped = is_mapped(scene, scene.materials[std::size_t(node.material)]);
   const bool recorded = view.output == "recorded_normal";
   const bool shows_normals = view.output != "depth" && view.output != "position" && view.output != "texcoord";
   Need need{.wanted = (mapped && shows_normals) || recorded};
@@ -130,8 +129,7 @@ std::map<std::string, std::string> MappedSurface::outputs() const {
 void MappedSurface::bind_material(Binder& binder, const Scene&, const Material& material) {
   const TextureIndex& texture = texture_of(material);
   if (!texture) return;
-  if (const auto map = maps_.find({*texture, from_heights_}); map != maps_.end())
-    binder.texture("u_normal_map", map->second.id());
+  if (const auto map = maps_.find(*texture); map != maps_.end()) binder.texture("u_normal_map", map->second.id());
 }
 
 }  // namespace atelier

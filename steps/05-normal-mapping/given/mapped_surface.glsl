@@ -9,16 +9,15 @@ vec3 recorded_normal_of(Surface surface) { return recorded_normal(mat3(u_view), 
 #ifdef NORMAL_MAP
 uniform sampler2D u_normal_map;
 
-// Of the surface before its position and texture coordinate were changed (06).
+// Of the surface before its position and texture coordinate were changed (06). xyz is zero where there is no frame.
 vec4 surface_tangent = vec4(0.0);
 
 #ifdef LIGHT_SPACE
-// Lighting in tangent space: what to_light_space needs.
-vec3 light_normal = vec3(0.0);
-vec4 light_tangent = vec4(0.0);  // xyz is zero where there is no frame: then lighting stays in world space
+// Lighting in tangent space, or in world space where there is no frame.
+vec3 unmapped_normal = vec3(0.0);
 
 vec3 to_light_space(vec3 v) {
-  return light_tangent.xyz == vec3(0.0) ? v : to_tangent_space(light_normal, light_tangent, v);
+  return surface_tangent.xyz == vec3(0.0) ? v : to_tangent_space(unmapped_normal, surface_tangent, v);
 }
 #endif
 
@@ -37,16 +36,14 @@ void find_tangent(inout Surface surface) {
 
 void map_normal(inout Surface surface) {
 #ifdef NORMAL_MAP
-  vec4 tangent = surface_tangent;
   vec3 texel = texture(u_normal_map, surface.texcoord).rgb, stored = decode_normal(texel);
 #ifdef FILTERED_EXPONENT
   normal_texel = texel;
 #endif
 #ifdef LIGHT_SPACE
-  light_normal = surface.normal_world;
-  light_tangent = tangent;
-  surface.normal_light = tangent.xyz == vec3(0.0) ? surface.normal_world : stored;
+  unmapped_normal = surface.normal_world;
+  surface.normal_light = surface_tangent.xyz == vec3(0.0) ? surface.normal_world : stored;
 #endif
-  surface.normal_world = mapped_normal(surface.normal_world, tangent, stored);
+  surface.normal_world = mapped_normal(surface.normal_world, surface_tangent, stored);
 #endif
 }

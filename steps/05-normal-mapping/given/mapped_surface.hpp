@@ -15,13 +15,6 @@ std::vector<SettingSpec> normal_mapping_settings();
 /// The output "recorded_normal".
 OutputSpec recorded_normal_output();
 
-/// Where the normals of a material come from: a texture of the scene that holds normals, or heights.
-struct NormalSource {
-  int texture = 0;
-  bool heights = false;
-  auto operator<=>(const NormalSource&) const = default;
-};
-
 /// Replaces the normal of surfaces whose material has a normal map. A map that stands for (0, 0, 1) everywhere is left
 /// out. Nodes without a map have neither tangents nor shader code for them.
 class MappedSurface : public Feature {
@@ -36,15 +29,16 @@ class MappedSurface : public Feature {
 
  private:
   enum class Format { float32, float16, byte };
+  /// The material's texture of normals or heights, whichever are used.
   const TextureIndex& texture_of(const Material& material) const;
-  std::optional<NormalSource> source_of(const Scene& scene, const Material& material) const;
-  GlTexture map_of(Gl& gl, const Texture& texture, bool heights) const;
+  bool is_mapped(const Scene& scene, const Material& material) const;
+  GlTexture map_of(Gl& gl, const Texture& texture) const;
 
   bool enabled_ = true, from_heights_ = false, derivatives_ = false, in_tangent_space_ = false, filtered_ = false;
   float depth_ = 0;  ///< of a height of 1, as a fraction of the texture's side
   Format format_ = Format::float32;
   std::string filter_ = "scene";
-  std::map<NormalSource, GlTexture> maps_;
+  std::map<int, GlTexture> maps_;  ///< by texture of the scene
 };
 
 }  // namespace atelier

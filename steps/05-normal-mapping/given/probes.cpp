@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "05-normal-mapping/normal_mapping.hpp"
+#include "app/probe_texture.hpp"
 #include "base/error.hpp"
 
 namespace atelier {
@@ -33,10 +34,6 @@ Mesh mesh(const Arguments& in) {
   return made;
 }
 
-Numbers numbers_of(const glm::vec4& v) {
-  return {v.x, v.y, v.z, v.w};
-}
-
 Numbers probe_vertex_tangents(ProbeContext&, const Arguments& in) {
   const Mesh made = mesh(in);
   const std::vector<glm::vec4> tangents = normal_mapping::vertex_tangents(made);
@@ -53,10 +50,8 @@ Numbers probe_heights(ProbeContext&, const Arguments& in) {
   Image heights(width, height, {0, 0.3f, 0.7f, 1});
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) heights.at(x, y).r = float(flat[std::size_t(y * width + x)]);
-  const Wrap wrap = in.integer("wrap") == 0   ? Wrap::repeat
-                    : in.integer("wrap") == 1 ? Wrap::mirrored_repeat
-                                              : Wrap::clamp_to_edge;
-  const Image normals = normal_mapping::normals_from_heights(heights, float(in.number("depth")), wrap);
+  const Image normals =
+      normal_mapping::normals_from_heights(heights, float(in.number("depth")), wrap_of(in.integer("wrap")));
   Numbers out{double(normals.width()), double(normals.height())};
   for (const Rgba& texel : normals.pixels()) append(out, Numbers{texel.r, texel.g, texel.b, texel.a});
   return out;

@@ -1,7 +1,6 @@
 #include "05-normal-mapping/given/scenes.hpp"
 
 #include <array>
-#include <utility>
 
 #include "scene/builder.hpp"
 #include "scene/relief.hpp"
@@ -11,35 +10,22 @@ namespace atelier {
 
 namespace {
 
-/// A material with all three textures of a relief. Its texels are interpolated, without mipmaps.
-int add_relief(Scene& scene, const std::string& name, Relief relief, const Material& base,
-               Filter filter = Filter::linear, Wrap wrap = Wrap::repeat) {
-  Material material = base;
-  material.name = name;
-  material.diffuse_texture = add_texture(scene, name, std::move(relief.colour), filter, wrap);
-  material.normal_texture = add_texture(scene, name + ": normals", std::move(relief.normal), filter, wrap);
-  material.height_texture = add_texture(scene, name + ": heights", std::move(relief.height), filter, wrap);
-  return add_material(scene, material);
+/// What a coloured relief is made of.
+Material glazed(const char* name, float specular, float exponent) {
+  return {.name = name, .diffuse = glm::vec3(1 - specular), .specular = glm::vec3(specular), .exponent = exponent};
 }
 
-Material glazed(float specular, float exponent) {
-  return {.diffuse = glm::vec3(1 - specular), .specular = glm::vec3(specular), .exponent = exponent};
-}
-
-/// One plain colour under a relief, without a texture of colours.
-int add_plain_relief(Scene& scene, const std::string& name, Relief relief, const glm::vec3& colour,
-                     Filter filter = Filter::linear) {
-  Material material{.name = name, .diffuse = colour, .specular = glm::vec3(0.25f), .exponent = 40};
-  material.normal_texture = add_texture(scene, name + ": normals", std::move(relief.normal), filter);
-  material.height_texture = add_texture(scene, name + ": heights", std::move(relief.height), filter);
-  return add_material(scene, material);
+/// What a relief of one plain colour is made of.
+Material plain(const char* name, const glm::vec3& colour) {
+  return {.name = name, .diffuse = colour, .specular = glm::vec3(0.25f), .exponent = 40};
 }
 
 /// A brick wall with a lamp close to it: light at a flat angle shows the relief.
 Scene wall() {
   Scene scene{.name = "wall"};
   scene.ambient = glm::vec3(0.05f);
-  const int bricks = add_relief(scene, "bricks", make_bricks({.size = 256, .columns = 3, .rows = 6}), glazed(0.1f, 30));
+  const int bricks =
+      add_relief(scene, glazed("bricks", 0.1f, 30), make_bricks({.size = 256, .columns = 3, .rows = 6}), true);
   add_object(scene, make_plane({.width = 2, .depth = 2}), bricks, upright({.name = "wall"}, degrees(30)));
   add_light(scene, {.type = LightType::point, .position = {-0.45, 0.8, 0.95}, .colour = {1.0f, 0.9f, 0.75f}});
   scene.camera = {.eye = {0.1, 0.2, 2.8}, .target = {0, 0, 0}, .fov_y = degrees(48), .near = 0.1f, .far = 10};
@@ -51,7 +37,7 @@ Scene wall() {
 Scene inscription() {
   Scene scene{.name = "inscription"};
   scene.ambient = glm::vec3(0.06f);
-  const int stone = add_relief(scene, "stone", make_inscription({.size = 512}), glazed(0.05f, 20));
+  const int stone = add_relief(scene, glazed("stone", 0.05f, 20), make_inscription({.size = 512}), true);
   Mesh slab = make_plane({.width = 1.6f, .depth = 1});
   for (Vertex& vertex : slab.vertices) vertex.texcoord.y = 0.34f + 0.32f * vertex.texcoord.y;
   Mesh mirrored = slab;
@@ -68,7 +54,7 @@ Scene dimples(const Settings& settings) {
   Scene scene{.name = "dimples"};
   scene.ambient = glm::vec3(0.04f);
   const Relief relief = make_dimples({.size = settings.integer("map.size")});
-  const int clay = add_plain_relief(scene, "clay", relief, {0.6f, 0.42f, 0.3f});
+  const int clay = add_relief(scene, plain("clay", {0.6f, 0.42f, 0.3f}), relief, false);
   add_object(scene, make_plane({.width = 2, .depth = 2}), clay, {.name = "plate"});
   add_light(scene, {.type = LightType::directional, .direction = {0.6f, -0.7f, 0.5f}, .colour = glm::vec3(0.9f)});
   scene.camera = {
@@ -81,7 +67,8 @@ Scene ball(const Settings& settings) {
   Scene scene{.name = "ball"};
   scene.ambient = glm::vec3(0.04f);
   const int segments = settings.integer("ball.segments");
-  const int white = add_plain_relief(scene, "white", make_dimples({.size = 256, .dimples = 8}), glm::vec3(0.7f));
+  const int white =
+      add_relief(scene, plain("white", glm::vec3(0.7f)), make_dimples({.size = 256, .dimples = 8}), false);
   Mesh mesh = make_sphere({.radius = 1, .segments = segments, .rings = segments / 2});
   for (Vertex& vertex : mesh.vertices) vertex.texcoord *= glm::vec2(2, 1);
   add_object(scene, mesh, white, {.name = "ball", .rotation_axis = {1, 0, -0.3f}, .rotation_angle = degrees(40)});
@@ -110,7 +97,8 @@ Mesh piece(const std::vector<Point>& points, std::vector<std::uint32_t> indices)
 Scene degenerate() {
   Scene scene{.name = "degenerate"};
   scene.ambient = glm::vec3(0.05f);
-  const int clay = add_plain_relief(scene, "clay", make_dimples({.size = 128, .dimples = 2}), {0.6f, 0.42f, 0.3f});
+  const int clay =
+      add_relief(scene, plain("clay", {0.6f, 0.42f, 0.3f}), make_dimples({.size = 128, .dimples = 2}), false);
   const auto plate = [&](const char* name, double x, const std::array<glm::vec2, 4>& texcoords) {
     const std::vector<Point> points = {
         {{0, 0}, texcoords[0]}, {{1, 0}, texcoords[1]}, {{1, 1}, texcoords[2]}, {{0, 1}, texcoords[3]}};
@@ -133,7 +121,7 @@ Scene transformed() {
   Scene scene{.name = "transformed"};
   scene.ambient = glm::vec3(0.06f);
   Relief relief = make_dimples({.size = 128, .dimples = 3});
-  const int clay = add_plain_relief(scene, "clay", relief, {0.6f, 0.42f, 0.3f});
+  const int clay = add_relief(scene, plain("clay", {0.6f, 0.42f, 0.3f}), relief, false);
   Material thin = scene.materials[std::size_t(clay)];
   thin.two_sided = true;
   const int sheet = add_material(scene, thin);
@@ -166,7 +154,7 @@ Scene floor() {
   Scene scene{.name = "floor"};
   scene.ambient = glm::vec3(0.05f);
   scene.background = {0.3f, 0.36f, 0.45f};
-  const int tiles = add_relief(scene, "tiles", make_tiles({.size = 256}), glazed(0.4f, 120), Filter::mipmap);
+  const int tiles = add_relief(scene, glazed("tiles", 0.4f, 120), make_tiles({.size = 256}), true, Filter::mipmap);
   add_object(scene, make_plane({.width = 30, .depth = 30, .repeat = {15, 15}}), tiles, {.name = "floor"});
   add_light(scene, {.type = LightType::directional, .direction = {0.1f, -0.45f, 1}, .colour = glm::vec3(0.8f)});
   scene.camera = {.eye = {0, 1.1, 6}, .target = {0, 0.4, 0}, .fov_y = degrees(50), .near = 0.1f, .far = 60};

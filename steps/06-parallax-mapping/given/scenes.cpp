@@ -1,7 +1,5 @@
 #include "06-parallax-mapping/given/scenes.hpp"
 
-#include <utility>
-
 #include "scene/builder.hpp"
 #include "scene/relief.hpp"
 #include "scene/shapes.hpp"
@@ -12,15 +10,6 @@ namespace {
 
 float depth_of(const Settings& settings) {
   return float(settings.real("parallax.depth"));
-}
-
-/// A material with the normals and heights of a relief and, if asked for, its colours.
-int add_relief(Scene& scene, const std::string& name, Relief relief, Material material, bool coloured) {
-  material.name = name;
-  if (coloured) material.diffuse_texture = add_texture(scene, name, std::move(relief.colour), Filter::linear);
-  material.normal_texture = add_texture(scene, name + ": normals", std::move(relief.normal), Filter::linear);
-  material.height_texture = add_texture(scene, name + ": heights", std::move(relief.height), Filter::linear);
-  return add_material(scene, material);
 }
 
 /// A plate of 2 x 2 m in the plane y = 0, seen at an angle of 35 degrees above it.
@@ -35,27 +24,27 @@ Scene plate(const char* name, int (*material)(Scene&, float depth), const Settin
 }
 
 int bricks(Scene& scene, float depth) {
-  const Material rough{.diffuse = glm::vec3(0.95f), .specular = glm::vec3(0.05f), .exponent = 20};
-  return add_relief(scene, "bricks", make_bricks({.size = 256, .columns = 3, .rows = 6, .depth = depth}), rough, true);
+  const Material rough{.name = "bricks", .diffuse = glm::vec3(0.95f), .specular = glm::vec3(0.05f), .exponent = 20};
+  return add_relief(scene, rough, make_bricks({.size = 256, .columns = 3, .rows = 6, .depth = depth}), true);
 }
 
-const Material clay{.diffuse = {0.6f, 0.42f, 0.3f}, .specular = glm::vec3(0.15f), .exponent = 30};
+const Material clay{.name = "clay", .diffuse = {0.6f, 0.42f, 0.3f}, .specular = glm::vec3(0.15f), .exponent = 30};
 
 int dimples(Scene& scene, float depth) {
-  return add_relief(scene, "clay", make_dimples({.size = 256, .dimples = 4, .depth = depth}), clay, false);
+  return add_relief(scene, clay, make_dimples({.size = 256, .dimples = 4, .depth = depth}), false);
 }
 
 /// Narrow pillars on a deep ground: what every method misses first.
 int pillars(Scene& scene, float depth) {
   constexpr int cells = 12;
-  return add_relief(scene, "pillars",
+  return add_relief(scene, clay,
                     make_relief(256, depth,
                                 [](double u, double v) -> ReliefPoint {
                                   const glm::dvec2 p = glm::fract(glm::dvec2(u, v) * double(cells)) - 0.5;
                                   const double off = std::max(std::abs(p.x), std::abs(p.y));
                                   return {glm::dvec3(0.5), std::clamp((0.2 - off) / 0.06, 0.0, 1.0) * 0.95 + 0.05};
                                 }),
-                    clay, false);
+                    false);
 }
 
 /// A plate that shows the texture two times and a half in one direction: its rim is not the texture's.

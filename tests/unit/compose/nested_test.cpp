@@ -44,14 +44,6 @@ Scene with_window(Scene scene) {
   return scene;
 }
 
-double largest_difference(const Image& a, const Image& b) {
-  double largest = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i)
-    for (int channel = 0; channel < 3; ++channel)
-      largest = std::max(largest, std::abs(double((&a.pixels()[i].r)[channel]) - (&b.pixels()[i].r)[channel]));
-  return largest;
-}
-
 }  // namespace
 
 TEST_CASE("a portal to the view behind it changes nothing, for every shadow-map update mode", "[compose]") {

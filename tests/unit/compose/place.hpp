@@ -58,6 +58,15 @@ inline FeatureList with_reliefs(int step) {
   return list;
 }
 
+/// The largest difference of a channel, alpha apart.
+inline double largest_difference(const Image& a, const Image& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i)
+    for (int channel = 0; channel < 3; ++channel)
+      largest = std::max(largest, std::abs(double((&a.pixels()[i].r)[channel]) - (&b.pixels()[i].r)[channel]));
+  return largest;
+}
+
 /// Draws scenes with features of the steps.
 struct Place {
   TemporaryFolder folder;  ///< for shaders of features that a test brings

@@ -30,15 +30,6 @@ Scene dimpled_floor() {
   return scene;
 }
 
-double most_apart(const Image& a, const Image& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const Rgba &p = a.pixels()[i], &q = b.pixels()[i];
-    most = std::max({most, double(std::abs(p.r - q.r)), double(std::abs(p.g - q.g)), double(std::abs(p.b - q.b))});
-  }
-  return most;
-}
-
 int pixels_darker(const Image& a, const Image& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.pixels().size(); ++i) count += a.pixels()[i].r < b.pixels()[i].r - 0.05f;
@@ -57,7 +48,7 @@ TEST_CASE("a relief keeps the shadows of other objects, and they keep it", "[com
   place.open(with_reliefs(4));
   const Image both = place.draw(scene);
   CHECK(pixels_darker(both, unshadowed) > 200);  // the ball's shadows
-  CHECK(most_apart(both, flat) > 0.1);   // the relief
+  CHECK(largest_difference(both, flat) > 0.1);   // the relief
   // Where no shadow falls, shadow maps change nothing.
   int same = 0;
   for (std::size_t i = 0; i < both.pixels().size(); ++i) same += both.pixels()[i] == unshadowed.pixels()[i];
@@ -71,7 +62,7 @@ TEST_CASE("light in tangent space is that of world space, with shadows too", "[c
   const Image world = place.draw(scene);
   place.settings.set("normal.space", "tangent");
   place.open(with_reliefs(4));
-  CHECK(most_apart(place.draw(scene), world) < 1e-4);  // a rotation of vectors some metres long, in floats
+  CHECK(largest_difference(place.draw(scene), world) < 1e-4);  // a rotation of vectors some metres long, in floats
 }
 
 TEST_CASE("visibilities multiply: shadows of the relief on itself beside those of shadow maps", "[compose]") {
@@ -95,6 +86,6 @@ TEST_CASE("constants by varyings draw reliefs as uniforms do", "[compose]") {
     place.open(with_reliefs(4));
     const Image by_uniforms = place.draw(scene);
     place.open(with_reliefs(4), {.constants_as_varyings = true});
-    CHECK(most_apart(place.draw(scene), by_uniforms) == 0);
+    CHECK(largest_difference(place.draw(scene), by_uniforms) == 0);
   }
 }
