@@ -8,7 +8,7 @@
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
-#include "image/error.hpp"
+#include "measure/metric_json.hpp"
 
 namespace atelier::measure {
 namespace {
@@ -44,6 +44,12 @@ double median(std::vector<double> values) {
 
 using SettingValues = std::map<std::string, SettingValue>;
 
+/// `first`, and of `second` what it does not have.
+SettingValues merged(SettingValues first, const SettingValues& second) {
+  first.insert(second.begin(), second.end());
+  return first;
+}
+
 Case picture_of(const BaselinePlan& plan, const std::string& output, const SettingValues& settings) {
   return {.name = "picture", .scene = plan.scene, .size = plan.size, .settings = settings, .output = output};
 }
@@ -58,8 +64,8 @@ std::string name_of_baseline(const BaselinePlan& plan, const SettingValues& sett
 class Comparison {
  public:
   Comparison(const BaselinePlan& plan, const Program& step) : plan_(plan) {
-    colour_ = trace(step, {picture_of(plan, "colour", {})}, plan.samples).front();
-    shadow_ = trace(step, {picture_of(plan, plan.shadow, {})}, 1).front();
+    colour_ = trace(step, {picture_of(plan, "colour", plan.settings)}, plan.samples).front();
+    output_ = trace(step, {picture_of(plan, plan.output, plan.settings)}, 1).front();
   }
 
   double seconds(const Program& program, const SettingValues& settings, int frames) const {
@@ -69,10 +75,10 @@ class Comparison {
   /// The errors of a program with these settings; the times are not filled in.
   Compared errors(const std::string& name, const Program& program, const SettingValues& settings) const {
     const Image colour = drawn(program, settings, "colour", 0).picture;
-    const Image shadow = drawn(program, settings, plan_.shadow, 0).picture;
+    const Image output = drawn(program, settings, plan_.output, 0).picture;
     return {.name = name,
             .rmse = error_of(colour, colour_, ErrorMetric::rmse),
-            .wrong = error_of(shadow, shadow_, ErrorMetric::wrong, Encoding::data)};
+            .error = error_of(output, output_, plan_.metric, Encoding::data)};
   }
 
  private:
@@ -81,18 +87,24 @@ class Comparison {
   }
 
   const BaselinePlan& plan_;
-  Image colour_, shadow_;
+  Image colour_, output_;
 };
 
 }  // namespace
 
 BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where) {
   const Json json = strict_json::parse(text, where);
-  strict_json::refuse_unknown(json, {"baseline", "scene", "size", "shadow", "samples", "rows"}, where);
+  strict_json::refuse_unknown(json, {"baseline", "scene", "size", "settings", "output", "metric", "samples", "rows"},
+                              where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   BaselinePlan plan;
   plan.program = strict_json::name(member("baseline"), where + ": baseline");
-  plan.shadow = strict_json::name(member("shadow"), where + ": shadow", "-_");
+  plan.output = strict_json::name(member("output"), where + ": output", "-_");
+  plan.metric = metric_from_json(member("metric"), where + ": metric");
+  if (plan.metric == ErrorMetric::mean)
+    throw Error(where + ": metric: mean is not allowed: it is no difference from the ground truth");
+  if (const Json* settings = strict_json::optional(json, "settings"))
+    plan.settings = settings_from_json(*settings, where + ": settings");
   plan.samples = strict_json::integer(member("samples"), where + ": samples", 1, 64);
   // Scene and size are checked as in a case.
   const Case picture = parse_case({{"name", "picture"}, {"scene", member("scene")}, {"size", member("size")}}, where);
@@ -100,8 +112,11 @@ BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where
   plan.size = picture.size;
   const Json& rows = member("rows");
   if (!rows.is_array() || rows.empty()) strict_json::refuse(rows, where + ": rows", "a list of at least one row");
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    plan.rows.push_back(row_of(rows[i], fmt::format("{}: row {}", where, i + 1)));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    BaselineRow row = row_of(rows[i], fmt::format("{}: row {}", where, i + 1));
+    row.settings = merged(std::move(row.settings), plan.settings);
+    plan.rows.push_back(std::move(row));
+  }
   return plan;
 }
 
@@ -152,7 +167,7 @@ BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program
 
 bool reaches_aim(const BaselineRow& row, const Compared& compared, const Compared& baseline) {
   constexpr double equal = 1.01;
-  const bool as_accurate = compared.rmse <= equal * baseline.rmse && compared.wrong <= equal * baseline.wrong;
+  const bool as_accurate = compared.rmse <= equal * baseline.rmse && compared.error <= equal * baseline.error;
   return compared.ratio >= row.aim && (as_accurate || !row.no_larger_error);
 }
 

@@ -7,13 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "image/error.hpp"
 #include "measure/program.hpp"
 
 namespace atelier::measure {
 
 struct BaselineRow {
   std::string name;
-  std::map<std::string, SettingValue> settings;
+  std::map<std::string, SettingValue> settings;           ///< with the plan's
   std::map<std::string, SettingValue> baseline_settings;  ///< the baseline's settings in this comparison
   double aim = 0;                                         ///< the speed-up to reach over the baseline; 0: no aim
   bool no_larger_error = false;                           ///< whether the aim also requires an error no larger
@@ -22,7 +23,9 @@ struct BaselineRow {
 struct BaselinePlan {
   std::string program, scene;
   glm::ivec2 size{256, 256};
-  std::string shadow;
+  std::map<std::string, SettingValue> settings;  ///< of the step's program, in every row and in the ground truth
+  std::string output;                      ///< the output of both programs whose error is measured besides colour's
+  ErrorMetric metric = ErrorMetric::rmse;  ///< of that output
   int samples = 1;
   std::vector<BaselineRow> rows;
 };
@@ -38,7 +41,7 @@ struct Compared {
   double seconds = 0;                     ///< per frame: the median over the rounds of each round's median
   double ratio = 1, least = 1, most = 1;  ///< the baseline's time / this one's, per round: median and range
   double rmse = 0;                        ///< of the colours
-  double wrong = 0;                       ///< fraction of pixels whose shadow is wrong: ErrorMetric::wrong
+  double error = 0;                       ///< of the plan's output, by the plan's metric
 };
 
 /// The baseline with each of the settings that rows name, in their order, and the rows.

@@ -12,6 +12,7 @@
 #include "base/near_names.hpp"
 #include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
+#include "measure/metric_json.hpp"
 
 namespace atelier::measure {
 namespace {
@@ -67,14 +68,8 @@ Truth truth_of(const Json& object, const std::string& where) {
 }
 
 Metric metric_of(const Json& object, const Truth& truth, Metric fallback, const std::string& where) {
-  std::vector<std::string> names;
-  for (const Metric known : error_metrics) names.push_back(to_string(known));
-  Metric metric = fallback;
-  if (const Json* given = strict_json::optional(object, "metric")) {
-    const std::string chosen = strict_json::one_of(*given, where + ": metric", names);
-    for (const Metric known : error_metrics)
-      if (to_string(known) == chosen) metric = known;
-  }
+  const Json* given = strict_json::optional(object, "metric");
+  const Metric metric = given ? metric_from_json(*given, where + ": metric") : fallback;
   if ((metric == Metric::mean) != (truth.by == Truth::By::value))
     throw Error(
         fmt::format("{}: metric: {} is not allowed; a truth that is a number needs 'mean', other truths another metric",

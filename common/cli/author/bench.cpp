@@ -20,7 +20,8 @@ void print_table(const std::vector<Figure>& figures) {
                f.limit > 0 ? fmt::format("{:.0f} % of {}", 100 * f.seconds / f.limit, ms(f.limit)) : "-", f.detail);
 }
 
-void print_json(const std::vector<Figure>& figures, const std::optional<BaselineTable>& table) {
+void print_json(const std::vector<Figure>& figures, const std::optional<BaselineTable>& table,
+                const std::vector<PeerRow>& peers) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Figure& f : figures)
     list.push_back({{"name", f.name},
@@ -31,6 +32,7 @@ void print_json(const std::vector<Figure>& figures, const std::optional<Baseline
                     {"aim", f.limit > 0 ? nlohmann::ordered_json(f.limit) : nullptr}});
   nlohmann::ordered_json all = {{"figures", list}};
   if (table) all["baseline"] = baseline_as_json(*table);
+  if (!peers.empty()) all["peers"] = peers_as_json(peers);
   fmt::print("{}\n", all.dump(2));
 }
 
@@ -65,12 +67,15 @@ int run_bench(const BenchOptions& options) {
     figures.insert(figures.end(), parts.begin(), parts.end());
   }
   const std::optional<BaselineTable> table = bench_baseline(folders, step, options.repeats);
-  if (options.baseline && !table) throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
+  const std::vector<PeerRow> peers = bench_peers(folders, step, options.repeats);
+  if (options.baseline && !table && peers.empty())
+    throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
   if (options.json) {
-    print_json(figures, table);
+    print_json(figures, table, peers);
   } else {
     if (!figures.empty()) print_table(figures);
     if (table) print_baseline(*table);
+    print_peers(peers);
   }
   return exit_ok;
 }

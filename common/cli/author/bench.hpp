@@ -44,4 +44,17 @@ std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const
 void print_baseline(const BaselineTable& table);
 nlohmann::ordered_json baseline_as_json(const BaselineTable& table);
 
+/// Work of a step beside that of another package, timed in one process (tests/peers).
+struct PeerRow {
+  std::string work, peer;
+  std::string missing;                    ///< the package that must be installed first; the times are 0 then
+  double ours = 0, theirs = 0;            ///< seconds: medians over the rounds
+  double ratio = 0, least = 0, most = 0;  ///< theirs / ours, per round: median and range
+  double aim = 0;                         ///< 0: none
+};
+/// Empty if the step has no such program. Throws Error if it fails.
+std::vector<PeerRow> bench_peers(const ProjectFolders& folders, const CourseStep& step, int repeats);
+void print_peers(const std::vector<PeerRow>& rows);
+nlohmann::ordered_json peers_as_json(const std::vector<PeerRow>& rows);
+
 }  // namespace atelier

@@ -142,6 +142,12 @@ std::map<std::string, std::string> ReliefSurface::outputs() const {
   return {{"recorded_height", "vec3(recorded_height_of(surface))"}};
 }
 
+std::vector<DrawConstant> ReliefSurface::draw_constants() const {
+  std::vector<DrawConstant> constants = {{"float", "u_depth"}, {"int", "u_layers"}};
+  if (discard_) constants.push_back({"vec4", "u_edges"});
+  return constants;
+}
+
 void ReliefSurface::bind_view(Binder& binder, const Scene&, const Viewpoint&) {
   binder.set("u_depth", depth_);
   binder.set("u_layers", layers_);

@@ -11,9 +11,11 @@ float recorded_height_of(Surface surface) {
 #endif
 
 #ifdef RELIEF
-uniform float u_depth;  // of the relief, as a fraction of the texture's side
+// Of the relief, as a fraction of the texture's side.
+uniform float u_depth;
 uniform int u_layers;
-uniform vec4 u_edges;  // the lowest and the highest texture coordinate of the surface
+// The lowest and the highest texture coordinate of the surface.
+uniform vec4 u_edges;
 #ifdef FRAGMENT_DEPTH
 uniform mat4 u_projection;
 #endif

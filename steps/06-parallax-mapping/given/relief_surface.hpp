@@ -25,6 +25,7 @@ class ReliefSurface : public Feature {
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;
   std::map<std::string, std::string> outputs() const override;
+  std::vector<DrawConstant> draw_constants() const override;
   void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
   void bind_material(Binder& binder, const Scene& scene, const Material& material) override;
   void count(SceneCounts& counts) const override;

@@ -16,6 +16,8 @@
 
 namespace atelier::shadow_demo {
 
+inline constexpr const char* name = "shadow-demo";
+
 class Demo {
  public:
   virtual ~Demo() = default;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "demo/texture.hpp"
 #include "gl/compact_texture.hpp"
 
 namespace atelier::shadow_demo {
@@ -12,21 +13,6 @@ std::vector<Vertex> written_out(const Mesh& mesh) {
   std::vector<Vertex> corners;
   for (const std::uint32_t index : mesh.indices) corners.push_back(mesh.vertices[index]);
   return corners;
-}
-
-GlTexture upload(Gl& gl, const Image& picture) {
-  GlTexture texture(gl);
-  gl.BindTexture(GL_TEXTURE_2D, texture.id());
-  gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, picture.width(), picture.height(), 0, GL_RGBA, GL_FLOAT, nullptr);
-  for (int y = 0; y < picture.height(); ++y)  // OpenGL's first row is the lowest
-    gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, picture.height() - 1 - y, picture.width(), 1, GL_RGBA, GL_FLOAT,
-                     &picture.at(0, y));
-  gl.GenerateMipmap(GL_TEXTURE_2D);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_REPEAT);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
-  gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  return texture;
 }
 
 }  // namespace
@@ -49,7 +35,7 @@ DemoScene::DemoScene(Gl& gl, Scene scene, bool compact_texture) : scene_(std::mo
   }
   gl.BindVertexArray(0);
   for (const glm::dmat4& model : world_matrices_exact(scene_.nodes)) models_.emplace_back(model);
-  texture_ = upload(gl, scene_.textures.at(std::size_t(material().diffuse_texture.value())).pixels);
+  texture_ = demo::upload(gl, scene_.textures.at(std::size_t(material().diffuse_texture.value())).pixels);
   if (compact_texture) store_in_8_bits(gl, texture_.id(), Encoding::linear);
 }
 

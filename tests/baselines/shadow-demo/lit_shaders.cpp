@@ -45,17 +45,6 @@ constexpr const char* factor = "void main() { o_colour = vec4(vec3(1.0 - shadow(
 
 }  // namespace
 
-Program build(Gl& gl, const std::string& vertex, const std::string& fragment, const std::string& geometry) {
-  const FindFile no_includes = [](const std::string&) { return std::filesystem::path(); };
-  const auto stage = [&](const std::string& text) {
-    return assemble_shader_text(no_includes, text, "shadow-demo", {});
-  };
-  const ShaderSource layered = stage(geometry);
-  GlProgram program = build_program(gl, stage(vertex), stage(fragment), geometry.empty() ? nullptr : &layered);
-  Uniforms uniforms(gl, program.id());
-  return {std::move(program), std::move(uniforms)};
-}
-
 std::string lit_vertex(const std::string& declarations, const std::string& statements) {
   return vertex_inputs + declarations + vertex_main + statements + "}\n";
 }

@@ -3,17 +3,7 @@
 
 #include <string>
 
-#include "gl/shader.hpp"
-
 namespace atelier::shadow_demo {
-
-struct Program {
-  GlProgram program;
-  Uniforms uniforms;
-};
-
-/// Of GLSL texts without includes; `geometry` may be empty.
-Program build(Gl& gl, const std::string& vertex, const std::string& fragment, const std::string& geometry = {});
 
 /// The vertex shader: writes v_position, v_normal (world space) and v_texcoord. `declarations` and `statements`, which
 /// come last, add what a light needs besides.

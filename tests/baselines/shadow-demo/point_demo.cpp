@@ -85,7 +85,8 @@ class PointDemo : public TwoPassDemo {
  public:
   PointDemo(Gl& gl, bool compact_textures)
       : TwoPassDemo(gl, DemoScene(gl, make_cube_room_scene(), compact_textures), make_cube_map(gl),
-                    build(gl, to_world_vertex, depth_fragment, depth_geometry), lit_vertex(), lamp_shadow) {}
+                    demo::build(gl, name, to_world_vertex, depth_fragment, depth_geometry), lit_vertex(), lamp_shadow) {
+  }
 
  private:
   glm::vec3 lamp() const { return glm::vec3(scene().lights.front().position); }

@@ -56,7 +56,7 @@ class SunDemo : public TwoPassDemo {
  public:
   SunDemo(Gl& gl, bool compact_textures)
       : TwoPassDemo(gl, DemoScene(gl, make_cubes_scene(), compact_textures), make_flat_map(gl),
-                    build(gl, to_light_vertex, "void main() {}\n"), lit_vertex(to_map_declarations, to_map),
+                    demo::build(gl, name, to_light_vertex, "void main() {}\n"), lit_vertex(to_map_declarations, to_map),
                     sun_shadow) {}
 
  private:

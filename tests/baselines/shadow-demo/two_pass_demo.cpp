@@ -4,14 +4,14 @@
 
 namespace atelier::shadow_demo {
 
-TwoPassDemo::TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, Program depth, const std::string& lit_vertex,
+TwoPassDemo::TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, demo::Program depth, const std::string& lit_vertex,
                          const std::string& shadow)
     : gl_(gl),
       demo_(std::move(scene)),
       map_(std::move(map)),
       depth_(std::move(depth)),
-      colour_(build(gl, lit_vertex, lit_fragment(shadow, false))),
-      factor_(build(gl, lit_vertex, lit_fragment(shadow, true))),
+      colour_(demo::build(gl, name, lit_vertex, lit_fragment(shadow, false))),
+      factor_(demo::build(gl, name, lit_vertex, lit_fragment(shadow, true))),
       framebuffer_(gl) {
   gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl.FramebufferTexture(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, map_.texture.id(), 0);
@@ -41,7 +41,7 @@ void TwoPassDemo::begin_picture(const Frame& frame) {
 
 /// Takes the program in use and sets all that belongs neither to a node nor to the light's place: camera, the light's
 /// colour, material, textures (unit 0 the wood, 1 the map).
-void TwoPassDemo::set_common(Program& program, const Frame& frame) {
+void TwoPassDemo::set_common(demo::Program& program, const Frame& frame) {
   const Camera& camera = frame.camera;
   const TargetSpec& size = frame.target.spec();
   const glm::vec3 eye(camera.eye), target(camera.target);
@@ -68,7 +68,7 @@ void TwoPassDemo::set_common(Program& program, const Frame& frame) {
 void TwoPassDemo::draw(const Frame& frame, bool shadow_factor) {
   draw_map();
   begin_picture(frame);
-  Program& program = shadow_factor ? factor_ : colour_;
+  demo::Program& program = shadow_factor ? factor_ : colour_;
   set_common(program, frame);
   set_light(program.uniforms);
   demo_.draw(gl_, program.uniforms);

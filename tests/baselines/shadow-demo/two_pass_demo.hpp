@@ -1,6 +1,7 @@
 // What both demos do in a frame: everything into a map of depths, then the picture.
 #pragma once
 
+#include "demo/program.hpp"
 #include "shadow-demo/demo.hpp"
 #include "shadow-demo/demo_scene.hpp"
 #include "shadow-demo/lit_shaders.hpp"
@@ -21,7 +22,7 @@ class TwoPassDemo : public Demo {
 
  protected:
   /// `depth` draws into the map, all of its layers at once; `lit_vertex` and `shadow` as in lit_shaders.hpp.
-  TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, Program depth, const std::string& lit_vertex,
+  TwoPassDemo(Gl& gl, DemoScene scene, DepthMap map, demo::Program depth, const std::string& lit_vertex,
               const std::string& shadow);
 
  private:
@@ -31,12 +32,12 @@ class TwoPassDemo : public Demo {
 
   void draw_map();
   void begin_picture(const Frame& frame);
-  void set_common(Program& program, const Frame& frame);
+  void set_common(demo::Program& program, const Frame& frame);
 
   Gl& gl_;
   DemoScene demo_;
   DepthMap map_;
-  Program depth_, colour_, factor_;
+  demo::Program depth_, colour_, factor_;
   GlFramebuffer framebuffer_;
 };
 

@@ -18,7 +18,9 @@ json comparison() {
       {"baseline", "shadow-demo"},
       {"scene", "cubes"},
       {"size", {80, 60}},
-      {"shadow", "shadow_factor"},
+      {"settings", {{"scene.casters", "all"}, {"shadow.pcf", 5}}},
+      {"output", "shadow_factor"},
+      {"metric", "wrong"},
       {"samples", 4},
       {"rows",
        {{{"name", "the same settings"}, {"settings", {{"shadow.pcf", 3}, {"sky", {0.2, 0.5, 1}}}}, {"aim", 1}},
@@ -33,7 +35,9 @@ TEST_CASE("a comparison with a baseline is read") {
   CHECK(plan.program == "shadow-demo");
   CHECK(plan.scene == "cubes");
   CHECK(plan.size == glm::ivec2(80, 60));
-  CHECK(plan.shadow == "shadow_factor");
+  CHECK(plan.output == "shadow_factor");
+  CHECK(plan.metric == ErrorMetric::wrong);
+  CHECK(plan.settings.size() == 2);
   CHECK(plan.samples == 4);
   REQUIRE(plan.rows.size() == 3);
   CHECK(plan.rows[0].name == "the same settings");
@@ -42,7 +46,8 @@ TEST_CASE("a comparison with a baseline is read") {
   CHECK(plan.rows[0].aim == 1);
   CHECK_FALSE(plan.rows[0].no_larger_error);
   CHECK(plan.rows[0].baseline_settings.empty());
-  CHECK(plan.rows[1].settings.empty());
+  CHECK(plan.rows[0].settings.at("scene.casters") == SettingValue(std::string("all")));
+  CHECK(plan.rows[1].settings == plan.settings);
   CHECK(plan.rows[1].baseline_settings.at("frame.format") == SettingValue(std::string("8")));
   CHECK(plan.rows[1].aim == 1.5);
   CHECK(plan.rows[1].no_larger_error);
@@ -65,6 +70,8 @@ TEST_CASE("an invalid comparison is refused with its place") {
        },
        {"baseline.json", "size"}},
       {"a size of one number", [](json& d) { d["size"] = 60; }, {"baseline.json", "size"}},
+      {"a metric that is none", [](json& d) { d["metric"] = "wron"; }, {"baseline.json: metric", "wron", "rmse"}},
+      {"a metric of one picture", [](json& d) { d["metric"] = "mean"; }, {"baseline.json: metric", "mean"}},
       {"too many samples", [](json& d) { d["samples"] = 65; }, {"baseline.json: samples", "65"}},
       {"no row", [](json& d) { d["rows"] = json::array(); }, {"baseline.json: rows", "at least one"}},
       {"a row without a name", [](json& d) { d["rows"][1].erase("name"); }, {"row 2", "name"}},
@@ -91,7 +98,7 @@ TEST_CASE("an invalid comparison is refused with its place") {
 }
 
 TEST_CASE("a row passes if it is fast enough and, on request, no less accurate") {
-  const Compared baseline{.rmse = 0.01, .wrong = 0.02};
+  const Compared baseline{.rmse = 0.01, .error = 0.02};
   struct Row {
     const char* name;
     bool no_larger_error;
@@ -99,12 +106,12 @@ TEST_CASE("a row passes if it is fast enough and, on request, no less accurate")
     bool reached;
   };
   const Row rows[] = {
-      {"too slow", false, {.ratio = 1.49, .rmse = 0, .wrong = 0}, false},
-      {"fast enough", false, {.ratio = 1.5, .rmse = 1, .wrong = 1}, true},
-      {"fast, and as true", true, {.ratio = 1.5, .rmse = 0.01, .wrong = 0.02}, true},
-      {"fast, and as true but for rounding", true, {.ratio = 1.5, .rmse = 0.01005, .wrong = 0.0201}, true},
-      {"fast, but of wrong colours", true, {.ratio = 9, .rmse = 0.0102, .wrong = 0}, false},
-      {"fast, but of wrong shadows", true, {.ratio = 9, .rmse = 0, .wrong = 0.0205}, false},
+      {"too slow", false, {.ratio = 1.49, .rmse = 0, .error = 0}, false},
+      {"fast enough", false, {.ratio = 1.5, .rmse = 1, .error = 1}, true},
+      {"fast, and as true", true, {.ratio = 1.5, .rmse = 0.01, .error = 0.02}, true},
+      {"fast, and as true but for rounding", true, {.ratio = 1.5, .rmse = 0.01005, .error = 0.0201}, true},
+      {"fast, but of wrong colours", true, {.ratio = 9, .rmse = 0.0102, .error = 0}, false},
+      {"fast, but of wrong shadows", true, {.ratio = 9, .rmse = 0, .error = 0.0205}, false},
   };
   for (const Row& row : rows) {
     INFO(row.name);
