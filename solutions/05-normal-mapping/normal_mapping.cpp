@@ -28,17 +28,17 @@ std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
   std::vector<glm::vec3> sums(mesh.vertices.size(), glm::vec3(0));
   std::vector<float> weights(mesh.vertices.size(), 0), ways(mesh.vertices.size(), 0);
   for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
-    const auto vertex = [&](std::size_t k) { return mesh.vertices[mesh.indices[at + k % 3]]; };
+    const auto vertex = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[at + k % 3]]; };
     const auto corner = [&](std::size_t k) { return Corner{vertex(k).position, vertex(k).texcoord}; };
+    const auto edge = [&](std::size_t from, std::size_t to) { return vertex(to).position - vertex(from).position; };
     const glm::vec4 tangent = triangle_tangent(corner(0), corner(1), corner(2));
     if (tangent == glm::vec4(0)) continue;
+    const float double_area = glm::length(glm::cross(edge(0, 1), edge(0, 2)));  // the same from every corner
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3 n = vertex(k).normal, t = glm::vec3(tangent);
       const glm::vec3 flat = t - glm::dot(t, n) * n;
       const float size = glm::length(flat);
-      const glm::vec3 to_next = glm::normalize(vertex(k + 1).position - vertex(k).position);
-      const glm::vec3 to_last = glm::normalize(vertex(k + 2).position - vertex(k).position);
-      const float angle = std::atan2(glm::length(glm::cross(to_next, to_last)), glm::dot(to_next, to_last));
+      const float angle = std::atan2(double_area, glm::dot(edge(k, k + 1), edge(k, k + 2)));
       const std::uint32_t v = mesh.indices[at + k];
       if (size > 1e-6f) sums[v] += angle * flat / size;
       weights[v] += angle;
