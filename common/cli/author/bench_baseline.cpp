@@ -35,10 +35,10 @@ void print_baseline(const BaselineTable& table) {
   const auto& plan = table.plan;
   fmt::print("\n{} at {}x{}: frames beside those of {}, drawn by one thread\n", plan.scene, plan.size.x, plan.size.y,
              plan.program);
-  fmt::print("{:<44} {:>10} {:>9} {:>15} {:>12} {:>20}  {}\n", "", "median", "faster", "from .. to", "colour rmse",
+  fmt::print("{:<64} {:>10} {:>9} {:>15} {:>12} {:>20}  {}\n", "", "median", "faster", "from .. to", "colour rmse",
              plan.output + " " + to_string(plan.metric), "aim");
   const auto line = [](const measure::Compared& row, const std::string& range, const std::string& aim) {
-    fmt::print("{:<44} {:>7.2f} ms {:>8.2f}x {:>15} {:>12.5f} {:>20.3g}  {}\n", row.name, row.seconds * 1e3, row.ratio,
+    fmt::print("{:<64} {:>7.2f} ms {:>8.2f}x {:>15} {:>12.5f} {:>20.3g}  {}\n", row.name, row.seconds * 1e3, row.ratio,
                range, row.rmse, row.error, aim);
   };
   for (std::size_t b = 0; b < table.compared.baselines.size(); ++b) {
