@@ -30,9 +30,10 @@ std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
   for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
     const auto vertex = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[at + k % 3]]; };
     const auto corner = [&](std::size_t k) { return Corner{vertex(k).position, vertex(k).texcoord}; };
-    const auto edge = [&](std::size_t from, std::size_t to) { return vertex(to).position - vertex(from).position; };
     const glm::vec4 tangent = triangle_tangent(corner(0), corner(1), corner(2));
     if (tangent == glm::vec4(0)) continue;
+    const float scale = 1 / glm::length(vertex(1).position - vertex(0).position);
+    const auto edge = [&](std::size_t i, std::size_t k) { return (vertex(k).position - vertex(i).position) * scale; };
     const float double_area = glm::length(glm::cross(edge(0, 1), edge(0, 2)));  // the same from every corner
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3 n = vertex(k).normal, t = glm::vec3(tangent);

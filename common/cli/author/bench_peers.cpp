@@ -44,7 +44,8 @@ std::vector<PeerRow> bench_peers(const ProjectFolders& folders, const CourseStep
   if (!run.ok()) throw Error(fmt::format("{} failed: {}", program.string(), run.output.substr(0, 500)));
   std::vector<PeerRow> rows;
   try {
-    for (const auto& json : nlohmann::json::parse(run.output).at("rows")) rows.push_back(row_of(json));
+    const nlohmann::json written = nlohmann::json::parse(run.output);
+    for (const auto& json : written.at("rows")) rows.push_back(row_of(json));
   } catch (const nlohmann::json::exception& wrong) {
     throw Error(fmt::format("{} wrote no rows: {}", program.string(), wrong.what()));
   }

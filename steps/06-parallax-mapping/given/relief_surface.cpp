@@ -6,6 +6,7 @@
 
 #include "02-blinn-phong/given/scene_texture.hpp"
 #include "05-normal-mapping/given/mesh_tangents.hpp"
+#include "base/error.hpp"
 
 namespace atelier {
 
@@ -72,7 +73,8 @@ void ReliefSurface::configure(const Settings& settings) {
   derivatives_ = settings.choice("normal.tangents") == "derivative";
   filter_ = settings.choice("texture.filter");
   recorded_ = {settings.real("recorded.nearest"), settings.real("recorded.farthest")};
-  if (!(recorded_.x < recorded_.y)) recorded_.y = recorded_.x + 1;
+  if (!(recorded_.x < recorded_.y))
+    throw Error(fmt::format("recorded.farthest: {} (allowed: more than recorded.nearest, {})", recorded_.y, recorded_.x));
 }
 
 bool ReliefSurface::has_relief(const Scene& scene, const Material& material) const {
