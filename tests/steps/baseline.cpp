@@ -39,7 +39,7 @@ Image drawn(const measure::Program& program, const Rivals& r, const std::string&
   Case picture{.name = "picture", .scene = r.plan.scene, .size = {200, 150}, .output = output};
   if (ours) picture.settings = r.plan.rows.front().settings;
   // A relief so flat that neither program's number of layers is seen.
-  if (r.plan.metric == ErrorMetric::distance) picture.settings["parallax.depth"] = 0.01;
+  if (r.plan.metric == ErrorMetric::distance) picture.settings["parallax.depth"] = 0.002;
   return measure::draw(program, {picture}).front().picture;
 }
 
@@ -57,9 +57,9 @@ double alike(ErrorMetric metric) {
     // The same maps and frames: only rounding, and the order of interpolation.
     case ErrorMetric::degrees:
       return 0.1;
-    // Other layers, so other points at the bricks' sides: a hundredth of the relief's depth.
+    // Other layers, so other points at the bricks' sides: a twentieth of the relief's depth.
     case ErrorMetric::distance:
-      return 0.004;
+      return 1e-4;
     default:
       throw Error("a baseline with a metric that no other has: say how alike the programs are");
   }
