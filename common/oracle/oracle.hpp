@@ -25,6 +25,7 @@
 //   shading.hpp      options: which part of the light, which shadows
 //   shadow.hpp       the visible fraction of a light
 //   shade.hpp        the colour of a surface point
+//   portal.hpp       rays through portals and mirrors
 //   picture.hpp      a whole picture, on all CPU cores
 //
 // There are no mipmaps and no filter except the box filter over n x n samples per pixel: supersampling is the truth
@@ -33,7 +34,6 @@
 //
 // Extension points for later steps:
 //   shadow factors         shading.hpp: a SurfaceColour that returns the `visibility` of one light
-//   portals                picture.hpp: a ray that hits a portal is transformed and traced again
 //   light in texture space picture.hpp: the same shading, at points of a texture instead of pixels
 //   quadrature             blinn_phong.hpp: `albedo` is an example
 #pragma once
@@ -47,6 +47,7 @@
 #include "oracle/light.hpp"
 #include "oracle/normal_map.hpp"
 #include "oracle/picture.hpp"
+#include "oracle/portal.hpp"
 #include "oracle/ray.hpp"
 #include "oracle/shade.hpp"
 #include "oracle/shading.hpp"

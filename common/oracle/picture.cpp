@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "oracle/normal_map.hpp"
+#include "oracle/portal.hpp"
 
 namespace atelier::oracle {
 
@@ -25,12 +26,39 @@ const std::map<std::string, Output>& outputs() {
   return named;
 }
 
+/// What a ray sees, and from where.
+struct Sight {
+  std::optional<SurfacePoint> point;
+  glm::dvec3 eye{0};                         ///< of the camera, carried through the openings before the point
+  const Portals::Opening* closed = nullptr;  ///< the point's: no ray goes through it
+};
+
+Sight look(const World& world, const Portals& portals, const PictureRequest& request, Ray ray, const glm::dvec3& eye) {
+  Sight sight{.point = world.seen(ray), .eye = eye};
+  // The depth buffer keeps the opening's depth.
+  for (int passed = 0; sight.point && request.output != Output::depth; ++passed) {
+    const Portals::Opening* opening = portals.at(*sight.point);
+    if (!opening) break;
+    if (passed >= request.shading.portal_depth) {
+      sight.closed = opening;
+      break;
+    }
+    ray = beyond(*opening, ray, sight.point->t);
+    sight.eye = glm::dvec3(opening->through * glm::dvec4(sight.eye, 1));
+    sight.point = world.seen(ray);
+  }
+  return sight;
+}
+
 /// The value of one ray.
-glm::dvec3 sample(const World& world, const CameraRays& camera, const PictureRequest& request, const Ray& ray) {
-  std::optional<SurfacePoint> point = world.seen(ray);
+glm::dvec3 sample(const World& world, const Portals& portals, const CameraRays& camera, const PictureRequest& request,
+                  const Ray& ray) {
+  const Sight sight = look(world, portals, request, ray, camera.eye());
+  std::optional<SurfacePoint> point = sight.point;
+  if (sight.closed) return request.output == Output::colour ? sight.closed->colour : glm::dvec3(0);
   if (point && request.shading.normal_maps) point = under_normal_map(world.scene(), *point);
   if (!point) return request.output == Output::colour ? glm::dvec3(world.scene().background) : glm::dvec3(0);
-  const auto shaded = [&](Part part) { return shade(world, *point, camera.eye(), request.shading, part); };
+  const auto shaded = [&](Part part) { return shade(world, *point, sight.eye, request.shading, part); };
   switch (request.output) {
     case Output::colour:
       return shaded(Part::all);
@@ -52,13 +80,14 @@ glm::dvec3 sample(const World& world, const CameraRays& camera, const PictureReq
   return glm::dvec3(0);
 }
 
-void trace_row(const World& world, const CameraRays& camera, const PictureRequest& request, int y, Image& image) {
+void trace_row(const World& world, const Portals& portals, const CameraRays& camera, const PictureRequest& request,
+               int y, Image& image) {
   const int n = request.samples;
   for (int x = 0; x < image.width(); ++x) {
     glm::dvec3 sum(0);
     for (int row = 0; row < n; ++row)
       for (int column = 0; column < n; ++column)
-        sum += sample(world, camera, request, camera.through({x + (column + 0.5) / n, y + (row + 0.5) / n}));
+        sum += sample(world, portals, camera, request, camera.through({x + (column + 0.5) / n, y + (row + 0.5) / n}));
     const glm::vec3 mean(sum / double(n * n));
     image.at(x, y) = {mean.r, mean.g, mean.b, 1};
   }
@@ -114,8 +143,9 @@ Image trace(const World& world, const PictureRequest& request) {
   validate(request.shading);
   Image image(request.size.x, request.size.y);
   const CameraRays camera(request.camera, request.size);
+  const Portals portals(world.scene());
   Rows rows(request.size.y);
-  const auto row = [&](int y) { trace_row(world, camera, request, y, image); };
+  const auto row = [&](int y) { trace_row(world, portals, camera, request, y, image); };
   {
     const int threads = request.threads > 0 ? request.threads : std::max(1, int(std::thread::hardware_concurrency()));
     std::vector<std::jthread> helpers;

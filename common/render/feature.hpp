@@ -75,6 +75,10 @@ class Feature {
   /// otherwise returns false. Called with the target bound, the last feature first.
   virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
+  /// Draws views inside one whose surfaces are drawn next, with ScenePainter::draw_view_inside: what their openings
+  /// hide is not shaded. It is called for these views too: the feature must limit the recursion.
+  virtual void draw_inside(Gl&, const Scene&, const Viewpoint&, const Target&, ScenePainter&) {}
+
   /// Whether a node is not drawn in a view because the feature draws it, such as the opening of a portal. Called like
   /// `need`.
   virtual bool hides(const Scene&, const View&, const Node&) const { return false; }
@@ -100,10 +104,6 @@ class Feature {
   virtual void bind_view(Binder&, const Scene&, const Viewpoint&) {}
   /// Sets the uniforms of one material.
   virtual void bind_material(Binder&, const Scene&, const Material&) {}
-
-  /// Draws views inside the one that has just been drawn, with ScenePainter::draw_view_inside. It is called for these
-  /// views too: the feature must limit the recursion.
-  virtual void draw_inside(Gl&, const Scene&, const Viewpoint&, const Target&, ScenePainter&) {}
 
   /// Adds its own counts of a frame. Called after each frame.
   virtual void count(SceneCounts&) const {}

@@ -8,7 +8,8 @@
 
 namespace atelier {
 
-/// Draws the surface of an opening in one colour, in the enclosing view.
+/// Draws the surface of an opening in one colour, in the enclosing view. Depths are clamped: an opening nearer than the
+/// near plane must not leave a hole while a visitor goes through it.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
   PassSources pass{.name = "opening",
                    .vertex =
@@ -21,6 +22,7 @@ void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::ve
                        "}\n",
                    .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
   if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
+  gl_.Enable(GL_DEPTH_CLAMP);
   paint(pass, std::span(&opening, 1), [&](Binder& binder) {
     bind_viewpoint(binder, around);
     binder.set("u_colour", colour);
@@ -63,6 +65,12 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   set_bounds(around, target);
   functions.begin_restore(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
+  set_bounds(around, target);
+}
+
+void Renderer::fill_opening(const Viewpoint& around, const Target& target, int opening, const glm::vec3& colour) {
+  set_bounds(around, target);
+  paint_opening(around, opening, colour);
   set_bounds(around, target);
 }
 

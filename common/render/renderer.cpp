@@ -210,7 +210,6 @@ void Renderer::begin(const Viewpoint& viewpoint, const Target& target) {
     gl_.ClearColor(colour.r, colour.g, colour.b, 1);
     gl_.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | (has_stencil(target.spec()) ? GL_STENCIL_BUFFER_BIT : 0));
   }
-  transforms_.set_wireframe(gl_, view.wireframe);
 }
 
 /// State shared by consecutive draws of a view.
@@ -250,6 +249,7 @@ void Renderer::draw(const Item& item, const Variant& variant, Drawing& drawing) 
 
 void Renderer::draw_nodes(const Viewpoint& viewpoint, const Target& target) {
   const std::vector<Variant>& chosen = variants(viewpoint.view, target);
+  transforms_.set_wireframe(gl_, viewpoint.view.wireframe);
   Drawing drawing{viewpoint};
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const Item& item = nodes_->items()[i];
@@ -268,20 +268,31 @@ bool Renderer::drawn_instead(const View& view, const Target& target) {
                      [&](const auto& feature) { return feature->draw_instead(gl_, view, target); });
 }
 
-void Renderer::draw_scene(const View& view, const Target& target) {
-  const Viewpoint viewpoint = look(view, target.spec());
-  counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
-  mirrored_ = false;  // of this view, not of one that draw_before has drawn
+/// What features draw for a view before its surfaces.
+void Renderer::draw_before(const Viewpoint& viewpoint, const Target& target) {
+  mirrored_ = false;  // of this view, not of one that was drawn before
   for (const auto& feature : features_) {
     reset_state(gl_);
     target.bind(gl_);  // so that a pass that forgets to set viewport or framebuffer behaves the same every time
     feature->draw_before(gl_, *scene_, viewpoint, *this);
   }
+}
+
+void Renderer::draw_scene(const View& view, const Target& target) {
+  const Viewpoint viewpoint = look(view, target.spec());
+  counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
+  draw_before(viewpoint, target);
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
   begin(viewpoint, target);
   if (drawn_instead(view, target)) return;
-  draw_nodes(viewpoint, target);
+  // Views inside come first: what their openings hide need not be shaded.
+  const std::int64_t drawn = ++scenes_drawn_;
   for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
+  if (scenes_drawn_ != drawn) {  // their maps have replaced this view's
+    draw_before(viewpoint, target);
+    set_bounds(viewpoint, target);
+  }
+  draw_nodes(viewpoint, target);
 }
 
 std::vector<ChainPass> Renderer::passes(const View& view) const {

@@ -80,6 +80,7 @@ class Renderer : private ScenePainter {
 
   void draw_with_chain(const View& view, const Target& target);
   void draw_scene(const View& view, const Target& target);
+  void draw_before(const Viewpoint& viewpoint, const Target& target);
   void begin(const Viewpoint& viewpoint, const Target& target);
   void set_bounds(const Viewpoint& viewpoint, const Target& target);
   void draw_nodes(const Viewpoint& viewpoint, const Target& target);
@@ -94,6 +95,7 @@ class Renderer : private ScenePainter {
   TargetPool& targets() override { return pool_; }
   void draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
                         const NestingFunctions& functions) override;
+  void fill_opening(const Viewpoint& around, const Target& target, int opening, const glm::vec3& colour) override;
 
   Gl& gl_;
   TransformFunctions transforms_;
@@ -108,7 +110,8 @@ class Renderer : private ScenePainter {
   std::vector<Light> lights_;         ///< of the scene, then of features
   std::optional<PlacedNodes> nodes_;  ///< of the prepared scene
   SceneCounts counts_;
-  bool mirrored_ = false;  ///< of the view that is being drawn
+  bool mirrored_ = false;          ///< of the view that is being drawn
+  std::int64_t scenes_drawn_ = 0;  ///< in all frames: tells whether drawing has drawn views inside
 
   std::map<ViewKind, std::vector<Variant>> variants_;  ///< item by item
   std::uint64_t variants_version_ = 0;  ///< sum of the features' structure versions for which variants_ was computed

@@ -72,6 +72,9 @@ class ScenePainter {
   /// Feature::draw_inside. Throws Error if the target has no stencil buffer, or all 255 levels are in use.
   virtual void draw_view_inside(View view, const Viewpoint& around, const Target& target, int opening,
                                 const NestingFunctions& functions) = 0;
+
+  /// Fills an opening with one colour instead, at its own depth. Call it from Feature::draw_inside.
+  virtual void fill_opening(const Viewpoint& around, const Target& target, int opening, const glm::vec3& colour) = 0;
 };
 
 }  // namespace atelier

@@ -99,6 +99,17 @@ struct Camera {
   float near = 0.1f, far = 100;  ///< metres, 0 < near < far (near may be negative when orthographic)
 };
 
+/// An opening through which another place of the scene is seen and entered, or a mirror. The node's mesh is the opening:
+/// flat, in the plane z = 0 of the node, facing +z. Neither its node nor the exit's may scale or mirror. Whoever goes
+/// through it from its front moves along -z of the node, and comes out of the exit along the exit's +z, with the same
+/// way up: both nodes' +z face the side on which the visitor is. If its material is two-sided, it is open from behind
+/// too: there one comes out of the exit along its -z.
+struct Portal {
+  int node = 0;             ///< index into Scene::nodes
+  std::optional<int> exit;  ///< index into Scene::nodes; none: a mirror
+  glm::vec3 colour{0};      ///< what it shows where nothing is drawn in it, linear
+};
+
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
@@ -106,13 +117,14 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Node> nodes;
   std::vector<Light> lights;
+  std::vector<Portal> portals;
   Camera camera;
   glm::vec3 ambient{0.03f};    ///< ambient light, linear
   glm::vec3 background{0.0f};  ///< background colour, linear
 };
 
 /// Throws atelier::Error naming the first problem, such as "scene 'hall': node 3 ('door'): mesh 9 of 4": an index out
-/// of range, a cycle of parents, a NaN or infinity, a camera or light outside the ranges above.
+/// of range, a cycle of parents, a NaN or infinity, a camera, light or portal outside the ranges above.
 void validate(const Scene& scene);
 
 /// All node indices, every parent before its children, otherwise in the given order. Throws atelier::Error naming the

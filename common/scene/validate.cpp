@@ -104,6 +104,39 @@ void check_light(const Context& context, const Light& light) {
                              light.outer_angle));
 }
 
+/// Whether a matrix only rotates and translates, up to the rounding of nodes in single precision.
+bool rigid(const glm::dmat4& m) {
+  constexpr double rounding = 1e-5;
+  const glm::dmat3 turn(m), product = glm::transpose(turn) * turn;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row)
+      if (!(std::abs(product[column][row] - (row == column ? 1 : 0)) <= rounding)) return false;
+  return glm::determinant(turn) > 0;
+}
+
+void check_portals(Context& context, const Scene& scene) {
+  if (scene.portals.empty()) return;
+  const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
+  const auto check_place = [&](const char* kind, int node) {
+    check_index(context, kind, node, scene.nodes.size());
+    if (!rigid(world[std::size_t(node)]))
+      context.fail(fmt::format("{} {} ('{}') scales or mirrors (allowed: rotation and translation)", kind, node,
+                               scene.nodes[std::size_t(node)].name));
+  };
+  for (std::size_t i = 0; i < scene.portals.size(); ++i) {
+    const Portal& portal = scene.portals[i];
+    context.thing = fmt::format("portal {}", i);
+    check_place("node", portal.node);
+    if (portal.exit) check_place("exit", *portal.exit);
+    const std::optional<int>& mesh = scene.nodes[std::size_t(portal.node)].mesh;
+    context.require(mesh.has_value(), "its node has no mesh: the opening");
+    for (const Vertex& vertex : scene.meshes[std::size_t(*mesh)].vertices)
+      if (vertex.position.z != 0)
+        context.fail(fmt::format("the opening has a vertex at z = {} (allowed: 0)", vertex.position.z));
+    context.require(finite_and_not_negative(portal.colour), "colour must be finite and not negative");
+  }
+}
+
 void check_camera(const Context& context, const Camera& camera) {
   context.require(finite(camera.eye) && finite(camera.target), "eye and target must be finite");
   context.require(camera.eye != camera.target, "eye and target are the same point");
@@ -142,6 +175,7 @@ void validate(const Scene& scene) {
   } catch (const Error& error) {
     throw Error(fmt::format("scene '{}': {}", scene.name, error.what()));
   }
+  check_portals(context, scene);
   context.thing = "camera";
   check_camera(context, scene.camera);
   context.thing = "ambient";
