@@ -125,14 +125,14 @@ DepthFormat SceneProgram::depth_format(const Settings& settings) const {
 }
 
 void SceneProgram::draw(const Frame& frame, const Settings& settings) {
-  View view{.camera = frame.camera, .output = frame.output};
+  View view{.camera = step_.visit ? step_.visit(scene_, frame.camera, settings) : frame.camera, .output = frame.output};
   if (lists(description_, "depth.format")) view.reversed_depth = settings.choice("depth.format") == "32f-reversed";
   if (lists(description_, "world.camera_relative")) view.camera_relative = settings.flag("world.camera_relative");
   view.cull = !lists(description_, "draw.cull") || settings.flag("draw.cull");
   if (lists(description_, "camera.fit_depth") && settings.flag("camera.fit_depth")) {
     if (boxes_.empty()) boxes_ = node_boxes(scene_);
     const TargetSpec& picture = frame.target.spec();
-    view.camera = fit_depth(frame.camera, double(picture.width) / picture.height, boxes_);
+    view.camera = fit_depth(view.camera, double(picture.width) / picture.height, boxes_);
   }
   if (lists(description_, "draw.wireframe")) view.wireframe = settings.flag("draw.wireframe");
   renderer_->render(view, frame.target);

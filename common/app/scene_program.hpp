@@ -25,8 +25,10 @@ struct SceneStep {
   std::map<std::string, Probe> probes;
   TransformFunctions transforms;
   std::function<void(FeatureList&)> features;  ///< adds them
-  MakeTruth truth;                             ///< empty: there is no ground truth
-  ChainFunctions chain;                        ///< for features with post-processing passes
+  /// If set, moves the camera before a frame is drawn: where a visitor of the scene is, by the settings.
+  std::function<Camera(const Scene& scene, const Camera& camera, const Settings& settings)> visit;
+  MakeTruth truth;       ///< empty: there is no ground truth
+  ChainFunctions chain;  ///< for features with post-processing passes
 };
 
 class SceneProgram : public StepProgram {

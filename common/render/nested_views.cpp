@@ -9,7 +9,7 @@
 namespace atelier {
 
 /// Draws the surface of an opening in one colour, in the enclosing view. Depths are clamped: an opening nearer than the
-/// near plane must not leave a hole while a visitor goes through it.
+/// near plane must not leave a hole while a visitor goes through it. Not so where the near plane is what clips the view.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
   PassSources pass{.name = "opening",
                    .vertex =
@@ -22,7 +22,7 @@ void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::ve
                        "}\n",
                    .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
   if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
-  gl_.Enable(GL_DEPTH_CLAMP);
+  if (!around.view.projection) gl_.Enable(GL_DEPTH_CLAMP);
   paint(pass, std::span(&opening, 1), [&](Binder& binder) {
     bind_viewpoint(binder, around);
     binder.set("u_colour", colour);

@@ -1,0 +1,56 @@
+// Views through portals and mirrors with the student's functions: which are drawn, from where, and how they are
+// clipped. Given.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "case/settings.hpp"
+#include "render/feature.hpp"
+
+namespace atelier {
+
+std::vector<SettingSpec> portal_settings();
+
+class PortalViews : public Feature {
+ public:
+  void configure(const Settings& settings) override;
+  void prepare(Gl& gl, const Scene& scene) override;
+  bool needs_stencil(const Scene& scene) const override { return !scene.portals.empty(); }
+  void moved(const Scene& scene) override;
+  bool hides(const Scene& scene, const View& view, const Node& node) const override;
+  void draw_inside(Gl& gl, const Scene& scene, const Viewpoint& around, const Target& target,
+                   ScenePainter& painter) override;
+  Need need(const Scene& scene, const View& view, const Node& node) const override;
+  std::map<Slot, SlotCode> slots() const override;
+  void bind_view(Binder& binder, const Scene& scene, const Viewpoint& viewpoint) override;
+
+ private:
+  enum class Clip { none, discard, distance, oblique };
+  /// A portal or mirror as it stands in the world.
+  struct Opening {
+    int node = 0;
+    glm::dmat4 frame{1}, passage{1};  ///< to world; from the world to the world
+    glm::dmat4 exit{1};               ///< the exit's frame, or a mirror's own
+    glm::dvec2 low{0}, high{0};       ///< of the mesh, in the frame
+    bool mirror = false, two_sided = false;
+    glm::vec3 colour{0};
+  };
+
+  void place(const Scene& scene);
+  std::vector<glm::dvec4> corners_of(const Opening& opening) const;
+  std::optional<glm::ivec4> rectangle_of(const Opening& opening, const Viewpoint& around, const Target& target) const;
+  View view_through(const Opening& opening, const Viewpoint& around, bool from_behind);
+  void draw_opening(Gl& gl, const Opening& opening, const Viewpoint& around, const Target& target, int item,
+                    ScenePainter& painter);
+
+  int deepest_ = 4, smallest_ = 1;
+  bool scissor_ = true;
+  Clip clip_ = Clip::distance;
+  std::vector<Opening> openings_;
+  std::vector<glm::dvec4>
+      planes_;                  ///< of the views that are being drawn, the innermost last: what is before is clipped
+  glm::mat4 projection_{1.0f};  ///< of the frame, shared by all views inside but for their near planes
+};
+
+}  // namespace atelier
