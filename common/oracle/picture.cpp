@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <atomic>
+#include <cmath>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -33,8 +34,22 @@ struct Sight {
   const Portals::Opening* closed = nullptr;  ///< the point's: no ray goes through it
 };
 
+/// The first opening of a ray before its interval: the near plane cuts off surfaces, but no openings, or a visitor who
+/// goes through one would see behind it.
+std::optional<SurfacePoint> nearer_opening(const World& world, const Portals& portals, const Ray& ray) {
+  if (world.scene().portals.empty()) return {};
+  Ray before{.origin = ray.origin, .direction = ray.direction, .least = 0, .most = ray.least};
+  while (const std::optional<SurfacePoint> point = world.seen(before)) {
+    if (portals.at(*point)) return point;
+    before.least = std::nextafter(point->t, ray.least);
+    if (before.least >= before.most) break;
+  }
+  return {};
+}
+
 Sight look(const World& world, const Portals& portals, const PictureRequest& request, Ray ray, const glm::dvec3& eye) {
-  Sight sight{.point = world.seen(ray), .eye = eye};
+  Sight sight{.point = nearer_opening(world, portals, ray), .eye = eye};
+  if (!sight.point) sight.point = world.seen(ray);
   // The depth buffer keeps the opening's depth.
   for (int passed = 0; sight.point && request.output != Output::depth; ++passed) {
     const Portals::Opening* opening = portals.at(*sight.point);

@@ -1,5 +1,7 @@
 #include "oracle/portal.hpp"
 
+#include <algorithm>
+
 namespace atelier::oracle {
 
 Portals::Portals(const Scene& scene) : by_node_(scene.nodes.size()) {
@@ -26,7 +28,7 @@ Ray beyond(const Portals::Opening& opening, const Ray& ray, double t) {
   // Just behind the opening, so that it does not meet the opening itself, or the exit's, again.
   constexpr double farther = 1 + 1e-12;
   return {glm::dvec3(opening.through * glm::dvec4(ray.origin, 1)),
-          glm::dvec3(opening.through * glm::dvec4(ray.direction, 0)), t * farther, ray.most};
+          glm::dvec3(opening.through * glm::dvec4(ray.direction, 0)), std::max(t * farther, ray.least), ray.most};
 }
 
 }  // namespace atelier::oracle

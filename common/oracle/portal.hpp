@@ -24,7 +24,7 @@ class Portals {
   std::vector<std::optional<Opening>> by_node_;
 };
 
-/// The rest of a ray after an opening that it has met at t: it goes on from there.
+/// The rest of a ray after an opening that it has met at t: it goes on from there, where its interval allows.
 Ray beyond(const Portals::Opening& opening, const Ray& ray, double t);
 
 }  // namespace atelier::oracle

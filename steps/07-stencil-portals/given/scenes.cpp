@@ -131,7 +131,7 @@ Scene corridor() {
   add_object(scene, make_sphere({.radius = 0.3f}), red, {.name = "ball", .translation = {0.75, 0.3, -1.5}});
   add_lamp(scene, {-1, 2.8, 0}, glm::vec3(5));
   scene.camera = {
-      .eye = {-0.375, 1.625, 1.5}, .target = {0.125, 1.125, -3}, .fov_y = degrees(65), .near = 0.1f, .far = 120};
+      .eye = {-0.375, 1.625, 1.5}, .target = {0.125, 1.125, -3}, .fov_y = degrees(65), .near = 0.1f, .far = 2000};
   return scene;
 }
 
@@ -152,9 +152,9 @@ Scene rolled() {
   const int here =
       add_door(scene, {.name = "door", .translation = {-0.3, 1.3, -1.1}, .rotation_angle = degrees(23)}, look);
   const int mast = add_node(scene, {.name = "mast",
-                                    .translation = {60, 1.9, 1},
+                                    .translation = {60, 1.45, 1},
                                     .rotation_axis = {0.06f, 1, 0.04f},
-                                    .rotation_angle = degrees(190)});
+                                    .rotation_angle = degrees(172)});
   const int there = add_door(scene,
                              {.name = "tilted door",
                               .parent = mast,
@@ -165,7 +165,7 @@ Scene rolled() {
   join(scene, here, there, {0.1f, 0.1f, 0.1f});
   add_object(scene, make_box({.size = {0.8f, 1.6f, 0.8f}}), red,
              {.name = "red box", .translation = {60, 0.8, -2.5}, .rotation_angle = degrees(20)});
-  add_object(scene, make_sphere({.radius = 0.6f}), white, {.name = "ball", .translation = {61.4, 0.6, -1.6}});
+  add_object(scene, make_sphere({.radius = 0.6f}), white, {.name = "ball", .translation = {59.2, 0.6, -2.2}});
   add_object(scene, make_cone({.radius = 0.5f, .height = 1.2f}), red, {.name = "cone", .translation = {1.6, 0, -2}});
   add_light(scene, {.type = LightType::directional, .direction = {0.4f, -0.8f, -0.4f}, .colour = glm::vec3(0.8f)});
   scene.camera = {.eye = {0.6, 1.7, 3}, .target = {-0.2, 1.2, -1.1}, .fov_y = degrees(55), .near = 0.1f, .far = 100};
