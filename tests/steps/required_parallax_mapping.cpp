@@ -28,6 +28,9 @@ TEST_CASE("surfaces without a relief have no height map, no tangents and no marc
           {"one lookup", picture("bricks", {{"parallax.method", text("offset")}}), {{"lookups", 1}}},
           {"bisections only in relief mapping", picture("bricks", {{"parallax.bisections", 16}}), {{"lookups", 35}}},
           {"a sample for each light and step", picture("bricks", {{"parallax.shadow_samples", 10}}), {{"lookups", 45}}},
+          {"over a curved surface the secant is in the march",
+           picture("bricks", {{"parallax.silhouette", true}}),
+           {{"lookups", 33}}},
           {"a scene without reliefs", picture("room"), {{"attributes", 3}, {"lookups", 0}}},
           {"without normal maps the relief has its own tangents",
            picture("bricks", {{"normal.maps", false}}),
@@ -42,6 +45,11 @@ TEST_CASE("a relief of depth 0 is step 05 to the last bit", "[required][06-paral
                             picture("bricks"), picture("bricks", {{"parallax.method", text("none")}})});
   CHECK(pixels_apart(all[0].picture, all[1].picture) == 0);
   CHECK(pixels_apart(all[2].picture, all[3].picture) > 1000);
+}
+
+TEST_CASE("on a flat surface the curvature changes nothing", "[required][06-parallax-mapping]") {
+  const auto all = drawn(parallax_step, {picture("bricks"), picture("bricks", {{"parallax.silhouette", true}})});
+  CHECK(pixels_apart(all[0].picture, all[1].picture) <= 10);  // rounding decides on a step at a brick's edge
 }
 
 TEST_CASE("loops are bounded whatever the view", "[required][06-parallax-mapping]") {

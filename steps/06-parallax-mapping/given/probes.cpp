@@ -42,6 +42,9 @@ std::map<std::string, Probe> parallax_mapping_probes() {
       {"relief_position", relief_probe("vec4(relief_position(position, eye, to_eye, depth, t), 0.0)", 3)},
       {"depth_of", relief_probe("vec4(depth_of(world_to_clip, position))", 1)},
       {"beyond_edges", relief_probe("vec4(beyond_edges(texcoord, low, high))", 1)},
+      {"ray_bend", relief_probe("vec4(ray_bend(span, depth, metres, curvature))", 1)},
+      {"ray_end", relief_probe("vec4(ray_end(bend))", 1)},
+      {"curved_hit", relief_probe("vec4(curved_hit(texcoord, span, bend, int(layers)))", 1)},
       {"recorded_height", relief_probe("vec4(recorded_height(position, nearest, farthest))", 1)},
   };
 }

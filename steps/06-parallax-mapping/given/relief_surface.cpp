@@ -46,6 +46,11 @@ std::vector<SettingSpec> parallax_settings() {
       {.name = "parallax.write_depth",
        .fallback = false,
        .help = "store the depth of the relief, so that other surfaces can intersect it"},
+      {.name = "parallax.silhouette",
+       .fallback = false,
+       .help =
+           "steep, occlusion, relief: rays follow a curved surface (curved_hit), and those that miss the relief show "
+           "what is behind it"},
       {.name = "recorded.nearest", .fallback = 1.0, .low = 0, .high = 1e6, .help = "recorded_height: metres of 1"},
       {.name = "recorded.farthest", .fallback = 8.0, .low = 1e-3, .high = 1e6, .help = "recorded_height: metres of 0"},
   };
@@ -70,6 +75,7 @@ void ReliefSurface::configure(const Settings& settings) {
   shadow_samples_ = settings.integer("parallax.shadow_samples");
   discard_ = settings.choice("parallax.edges") == "discard";
   write_depth_ = settings.flag("parallax.write_depth");
+  silhouette_ = settings.flag("parallax.silhouette") && method_ != Method::none && method_ != Method::offset;
   derivatives_ = settings.choice("normal.tangents") == "derivative";
   filter_ = settings.choice("texture.filter");
   recorded_ = {settings.real("recorded.nearest"), settings.real("recorded.farthest")};
@@ -125,6 +131,7 @@ Need ReliefSurface::need(const Scene& scene, const View& view, const Node& node)
   if (method_ == Method::relief) d["BISECTIONS"] = std::to_string(bisections_);
   if (discard_) d["DISCARD_EDGES"] = "1";
   if (write_depth_) d["FRAGMENT_DEPTH"] = "1";
+  if (silhouette_) d["SILHOUETTE"] = "1";
   const bool lit = view.output == "colour" || view.output == "diffuse" || view.output == "specular";
   if (shadow_samples_ > 0 && lit) d["SHADOW_SAMPLES"] = std::to_string(shadow_samples_);
   return need;
@@ -133,7 +140,7 @@ Need ReliefSurface::need(const Scene& scene, const View& view, const Node& node)
 std::map<Slot, SlotCode> ReliefSurface::slots() const {
   const std::string file = "06-parallax-mapping/given/relief_surface.glsl";
   std::map<Slot, SlotCode> slots = {{Slot::displace_texcoord, {file, "find_relief"}}};
-  if (discard_) slots[Slot::discard_fragment] = {file, "discard_outside_relief"};
+  if (discard_ || silhouette_) slots[Slot::discard_fragment] = {file, "discard_outside_relief"};
   if (shadow_samples_ > 0)
     for (const Slot slot : {Slot::visible_from_point, Slot::visible_from_spot, Slot::visible_from_directional})
       slots[slot] = {file, "light_on_relief"};
@@ -167,7 +174,10 @@ void ReliefSurface::bind_material(Binder& binder, const Scene&, const Material& 
 void ReliefSurface::count(SceneCounts& counts) const {
   if (heights_.empty()) return;
   const int march = method_ == Method::offset ? 1 : layers_ + 1;
-  const int refine = method_ == Method::occlusion && !mean_ ? 2 : method_ == Method::relief ? bisections_ : 0;
+  const int refine = silhouette_                              ? 0
+                     : method_ == Method::occlusion && !mean_ ? 2
+                     : method_ == Method::relief              ? bisections_
+                                                              : 0;
   counts.lookups += march + refine + shadow_samples_ * counts.lights;
 }
 

@@ -27,15 +27,35 @@ vec2 relief_texcoord = vec2(0.0);
 float relief_height = 1.0;
 bool outside_relief = false;
 
-// t of the ray's point on the relief.
-float relief_hit(vec2 texcoord, vec2 span) {
+#ifdef SILHOUETTE
+// How much the surface turns on the way of the ray along it: its normal curvature, 1/m, positive where it is convex. The
+// way is x pixels to the right and y up; of the cross products each keeps its digits where the surface is seen from its
+// edge. 0 where neighbouring pixels show one point.
+float curvature_along(vec3 way, vec3 normal, vec3 position) {
+  vec3 right = dFdx(position), up = dFdy(position), area = cross(right, up);
+  float x = dot(cross(way, up), area), y = dot(cross(right, way), area);
+  vec3 along = x * right + y * up, turn = x * dFdx(normal) + y * dFdy(normal);
+  float square = dot(along, along);
+  return square > 0.0 ? dot(turn, along) / square : 0.0;
+}
+#endif
+
+// t of the ray's point on the relief; below 0 where it misses it.
+float relief_hit(vec2 texcoord, vec2 span, float bend) {
 #if METHOD == 1
   return offset_hit(texcoord);
 #else
   int layers = u_layers;
 #ifdef ADAPTIVE
+#ifdef SILHOUETTE
+  layers = layers_needed(ray_end(bend) * span, texcoord_dx, texcoord_dy, layers);
+#else
   layers = layers_needed(span, texcoord_dx, texcoord_dy, layers);
 #endif
+#endif
+#ifdef SILHOUETTE
+  return curved_hit(texcoord, span, bend, layers);
+#else
   vec2 interval = first_step_below(texcoord, span, layers);
 #if METHOD == 2
   return interval.y;
@@ -47,6 +67,7 @@ float relief_hit(vec2 texcoord, vec2 span) {
 #endif
 #else
   return interval.y > 0.0 ? bisected_hit(texcoord, span, interval, BISECTIONS) : 0.0;
+#endif
 #endif
 #endif
 }
@@ -63,18 +84,27 @@ void find_relief(inout Surface surface) {
 #ifdef RELIEF
   texcoord_dx = dFdx(surface.texcoord);
   texcoord_dy = dFdy(surface.texcoord);
-  float metres = u_depth * metres_a_texture(surface.position_world);
+  float side = metres_a_texture(surface.position_world), bend = 0.0;
   relief_normal = surface.normal_world;
   relief_tangent = tangent_at(surface);
   relief_texcoord = surface.texcoord;
   if (relief_tangent.xyz == vec3(0.0)) return;  // no frame: the surface stays flat
   vec3 to_eye = normalize(to_tangent_space(relief_normal, relief_tangent, surface.eye_world - surface.position_world));
   vec2 span = parallax_span(to_eye, u_depth);
-  float t = relief_hit(surface.texcoord, span);
+#ifdef SILHOUETTE
+  vec3 normal = normalize(surface.normal_world), way = surface.position_world - surface.eye_world;
+  way -= dot(way, normal) * normal;
+  bend = ray_bend(span, u_depth, side, curvature_along(way, normal, surface.position_world));
+#endif
+  float t = relief_hit(surface.texcoord, span, bend);
+#ifdef SILHOUETTE
+  outside_relief = t < 0.0;
+  if (outside_relief) return;
+#endif
   surface.texcoord += t * span;
   relief_texcoord = surface.texcoord;
-  relief_height = 1.0 - t;
-  surface.position_world = relief_position(surface.position_world, surface.eye_world, to_eye, metres, t);
+  relief_height = 1.0 - t + bend * t * t;
+  surface.position_world = relief_position(surface.position_world, surface.eye_world, to_eye, u_depth * side, t);
 #ifdef DISCARD_EDGES
   outside_relief = beyond_edges(surface.texcoord, u_edges.xy, u_edges.zw);
 #endif
@@ -85,7 +115,7 @@ void find_relief(inout Surface surface) {
 }
 
 bool discard_outside_relief(Surface surface) {
-#ifdef DISCARD_EDGES
+#if defined(DISCARD_EDGES) || defined(SILHOUETTE)
   return outside_relief;
 #else
   return false;

@@ -38,7 +38,8 @@ class ReliefSurface : public Feature {
   Method method_ = Method::occlusion;
   float depth_ = 0;
   int layers_ = 1, bisections_ = 0, shadow_samples_ = 0;
-  bool adaptive_ = false, mean_ = false, discard_ = false, write_depth_ = false, derivatives_ = false;
+  bool adaptive_ = false, mean_ = false, discard_ = false, write_depth_ = false, silhouette_ = false,
+       derivatives_ = false;
   std::string filter_ = "scene";
   glm::vec2 recorded_{0, 1};          ///< metres: nearest and farthest of "recorded_height"
   std::map<int, GlTexture> heights_;  ///< by texture of the scene

@@ -64,6 +64,26 @@ Scene crossing(const Settings& settings) {
   return scene;
 }
 
+/// A part of a round brick column before a wall, in a tilted view. Its texture is shown four times around, and as long
+/// up as around. The seam is behind it.
+Scene column(const Settings& settings) {
+  constexpr float radius = 0.5f, around = 4, up = 3;
+  constexpr float side = degrees(360) * radius / around;
+  Scene scene{.name = "column"};
+  scene.ambient = glm::vec3(0.08f);
+  const int relief = bricks(scene, depth_of(settings));
+  add_object(
+      scene, make_cylinder_wall({.radius = radius, .height = up * side, .segments = 128, .repeat = {around, up}}),
+      relief, {.name = round_relief_node, .translation = {0, -0.5f * up * side, 0}, .rotation_angle = degrees(90)});
+  const int white = add_material(scene, plastic("white", glm::vec3(0.75f), 60));
+  add_object(scene, make_plane({.width = 6, .depth = 6}), white,
+             upright({.name = "wall", .translation = {0, 0, -1.5f}}, 0));
+  add_light(scene, {.type = LightType::directional, .direction = {0.55f, -0.4f, -0.7f}, .colour = glm::vec3(0.9f)});
+  scene.camera = {
+      .eye = {0, 0.2f, 2.4f}, .target = {0, 0, 0}, .up = {0.3f, 1, 0}, .fov_y = degrees(26), .near = 0.1f, .far = 10};
+  return scene;
+}
+
 /// Balls and a box before a wall: something to record.
 Scene still_life(const Settings&) {
   Scene scene{.name = "still life"};
@@ -89,6 +109,7 @@ const SceneTable& parallax_scenes() {
       {"pillars", [](const Settings& settings) { return plate("pillars", pillars, settings); }},
       {"rows", rows},
       {"crossing", crossing},
+      {"column", column},
       {"still-life", still_life},
       builtin_scene("room"),
   };

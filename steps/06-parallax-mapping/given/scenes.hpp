@@ -11,4 +11,7 @@ const SceneTable& parallax_scenes();
 /// itself. Their mesh's texture coordinates run from (0, 0).
 inline constexpr const char* relief_node = "relief";
 
+/// The same for a mesh of make_cylinder_wall that is seen from outside, whose texture is as long around as up.
+inline constexpr const char* round_relief_node = "round relief";
+
 }  // namespace atelier

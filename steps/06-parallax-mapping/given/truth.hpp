@@ -6,9 +6,10 @@
 namespace atelier {
 
 /// The step's scenes as in step 05's truth, in which reliefs are real: every node called relief_node is replaced by a
-/// height field, a bilinear patch for each square of four texels; other surfaces stay as flat as their triangles.
-/// Ignored: all settings that only trade accuracy for speed. "parallax.method" none and "parallax.depth" 0 leave the
-/// surface flat; "parallax.shadow_samples" 0 leaves out the relief's shadows. Throws Error for an unknown scene.
+/// height field, a bilinear patch for each square of four texels, and every node called round_relief_node by a fine
+/// mesh of its points; other surfaces stay as flat as their triangles. Ignored: all settings that only trade accuracy
+/// for speed. "parallax.method" none and "parallax.depth" 0 leave the surface flat; "parallax.shadow_samples" 0 leaves
+/// out the relief's shadows. Throws Error for an unknown scene.
 SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
 }  // namespace atelier

@@ -174,6 +174,61 @@ void add_offset_rows(Table& table, ShaderFunctions& shaders, GLuint high, GLuint
   group.equals("height 0", [=] { return of(low); }, {1});
 }
 
+void add_curved_rows(Table& table, ShaderFunctions& shaders, GLuint high, GLuint low) {
+  Group bends = table.of("ray_bend (GLSL)");
+  const ShaderFunction bend = relief_function({"s", "d"}, "vec4(ray_bend(s.xy, d.x, d.y, d.z))", high);
+  const auto bend_of = [=, &shaders](glm::vec2 span, glm::vec3 rest) {
+    return Values{shaders.number(bend, input_of(span, rest))};
+  };
+  bends.equals("no span", [=] { return bend_of({0, 0}, {0.1f, 1, 5}); }, {0});
+  bends.equals("a plane", [=] { return bend_of({1, 1}, {0.1f, 1, 0}); }, {0});
+  for (const float size : {1e-3f, 1.0f, 1e3f})  // the same shape in other units
+    for (const float curvature : {2.0f, -2.0f})
+      bends.close(fmt::format("a texture of {:g} m, curvature {:g} / m", size, curvature / size),
+                  {1e-6, "relative", "products and a quotient"}, [=] {
+                    return relative_difference(bend_of({0.3f, 0.4f}, {0.125f, size, curvature / size}), {curvature});
+                  });
+
+  Group ends = table.of("ray_end (GLSL)");
+  const ShaderFunction end = relief_function({"b"}, "vec4(ray_end(b.x))", high);
+  const auto end_of = [=, &shaders](float b) { return Values{shaders.number(end, input_of(b))}; };
+  // The smaller root by the form without cancellation, in double precision; beyond 1/4 the way out.
+  const auto exact = [](double b) { return b <= 0.25 ? 2 / (1 + std::sqrt(1 - 4 * b)) : 1 / b; };
+  ends.equals("bend 0", [=] { return end_of(0); }, {1});
+  ends.equals("bend 1/4: it touches height 0", [=] { return end_of(0.25f); }, {2});
+  for (const float b : {1e-30f, 1e-8f, 1e-6f, 1e-4f, 0.01f, 0.2499f, 0.25f + 0x1p-24f, 1.0f, 1e9f, 1e30f, -1e-30f,
+                        -1e-8f, -1e-4f, -1.0f, -1e9f, -1e30f})
+    ends.close(fmt::format("bend {:g}", b), {2e-6, "relative", "a root, a sum and a quotient"},
+               [=] { return relative_difference(end_of(b), {exact(double(b))}); });
+
+  Group hits = table.of("curved_hit (GLSL)");
+  const auto hit_of = [&shaders](GLuint map, glm::vec2 span, float b, float layers) {
+    return Values{
+        shaders.number(relief_function({"s", "b"}, "vec4(curved_hit(vec2(0.3, 0.4), s.xy, b.x, int(b.y)))", map),
+                       input_of(span, glm::vec2(b, layers)))};
+  };
+  for (const float layers : {1.0f, 2.0f, 256.0f})
+    for (const float b : {-1e9f, 0.0f, 0.25f, 0.2501f, 1e9f}) {
+      hits.equals(fmt::format("height 1 everywhere, bend {:g}, {:g} layers", b, layers),
+                  [=] {
+                    return hit_of(high, {1, 1}, b, layers);
+                  },
+                  {0});
+      if (b > 0.25f)
+        hits.equals(fmt::format("height 0 everywhere, bend {:g}, {:g} layers: past it", b, layers),
+                    [=] {
+                      return hit_of(low, {1, 1}, b, layers);
+                    },
+                    {-1});
+      else
+        hits.close(fmt::format("height 0 everywhere, bend {:g}, {:g} layers", b, layers),
+                   {1e-5, "relative", "the height at the end is 0 up to the rounding of three terms"}, [=] {
+                     return relative_difference(hit_of(low, {1, 1}, b, layers), {exact(double(b))});
+                   });
+    }
+  hits.equals("a span of 1e6", [=] { return hit_of(low, {1e6f, 0}, 0, 4); }, {1});
+}
+
 }  // namespace
 
 }  // namespace atelier::stability
@@ -190,4 +245,5 @@ void atelier_stability_table(atelier::stability::Table& table, atelier::stabilit
   add_layer_rows(table, shaders, high);
   add_light_rows(table, shaders, high, low);
   add_place_rows(table, shaders, high);
+  add_curved_rows(table, shaders, high, low);
 }
