@@ -196,16 +196,15 @@ float curved_hit(vec2 texcoord, vec2 span, float bend, int layers) {
   // >>> student: the march and the secant, with the height of the bent ray
   float before = 0.0, above = 1.0 - height_at(texcoord), end = ray_end(bend);
   if (above <= 0.0) return 0.0;
-  for (int i = 1; i <= layers; ++i) {
-    bool last = i == layers;
-    if (last && bend > 0.25) return -1.0;
+  for (int i = 1; i < layers; ++i) {
     float t = end * float(i) / float(layers);
     float still_above = 1.0 - t + bend * t * t - height_at(texcoord + t * span);
-    if (last || still_above <= 0.0) return mix(before, t, above / (above - still_above));
+    if (still_above <= 0.0) return mix(before, t, above / (above - still_above));
     before = t;
     above = still_above;
   }
-  return -1.0;
+  if (bend > 0.25) return -1.0;
+  return mix(before, end, above / (above + height_at(texcoord + end * span)));
   // --- skeleton
   // | return 0.0;
   // <<< student
