@@ -106,8 +106,8 @@ bool beyond_edges(vec2 texcoord, vec2 low, vec2 high) {
 // ---- The outline of a curved surface
 
 // (challenge) How much a ray bends against a curved surface. At the distance s along its tangent plane, in metres, a
-// surface of the curvature k is k s^2 / 2 below this plane: k > 0 where it is convex, k < 0 where it is concave, 1/m. So
-// a ray has at t the height 1 - t + bend t^2 above the deepest level; `bend` is the answer. `span` and `depth` as in
+// surface of the curvature k is k s^2 / 2 below this plane: k > 0 where it is convex, k < 0 where it is concave, 1/m.
+// So a ray has at t the height 1 - t + bend t^2 above the deepest level; `bend` is the answer. `span` and `depth` as in
 // parallax_span, depth > 0; `metres` is the length of the texture's side. Handout, section 10.
 // span = (0.3, 0.4), depth 0.1, metres 2, curvature 0.5: 1 m along, 0.2 m down, the surface 0.25 m down, so 1.25.
 float ray_bend(vec2 span, float depth, float metres, float curvature) {
@@ -125,11 +125,11 @@ float ray_end(float bend) {
 }
 
 // (challenge) t of the point where such a ray meets the relief, or -1 where it leaves the relief without having met it.
-// 0 where the relief is at least 1 high at `texcoord` already. Otherwise the ray is cut at `layers` equal steps from t =
-// 0 to ray_end(bend), as in first_step_below, and the answer is the point of the first step that ends in the relief at
-// which the difference of both heights is zero, if it changes in proportion to t within the step, as in secant_hit. A
-// ray that reaches height 0 ends in the relief; a ray that leaves does not, whatever the height of the relief there.
-// layers >= 1. Handout, section 10. You may call: height_at, ray_end.
+// 0 where the relief is at least 1 high at `texcoord` already. Otherwise the ray is cut into `layers` equal steps from
+// t = 0 to ray_end(bend), and the first step counts whose end has a height of at most that of the relief there. The
+// answer is the point in it at which the difference of both heights would be zero if it changed evenly, as in
+// secant_hit. The last step of a ray that reaches height 0 always ends in the relief, that of a ray that leaves never,
+// whatever the height of the relief there. layers >= 1. Handout, section 10. You may call: height_at, ray_end.
 float curved_hit(vec2 texcoord, vec2 span, float bend, int layers) {
   // TODO(06-parallax-mapping): the march and the secant, with the height of the bent ray
   return 0.0;

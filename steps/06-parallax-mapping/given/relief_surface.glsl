@@ -28,9 +28,9 @@ float relief_height = 1.0;
 bool outside_relief = false;
 
 #ifdef SILHOUETTE
-// How much the surface turns on the way of the ray along it: its normal curvature, 1/m, positive where it is convex. The
-// way is x pixels to the right and y up; of the cross products each keeps its digits where the surface is seen from its
-// edge. 0 where neighbouring pixels show one point.
+// How much the surface turns on the way of the ray along it: its normal curvature, 1/m, positive where it is convex.
+// The way is x pixels to the right and y up, up to a factor, by Cramer's rule with cross products: they keep their
+// digits where the surface is seen from its edge. 0 where neighbouring pixels show one point.
 float curvature_along(vec3 way, vec3 normal, vec3 position) {
   vec3 right = dFdx(position), up = dFdy(position), area = cross(right, up);
   float x = dot(cross(way, up), area), y = dot(cross(right, way), area);
