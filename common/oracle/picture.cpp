@@ -50,8 +50,7 @@ std::optional<SurfacePoint> nearer_opening(const World& world, const Portals& po
 Sight look(const World& world, const Portals& portals, const PictureRequest& request, Ray ray, const glm::dvec3& eye) {
   Sight sight{.point = nearer_opening(world, portals, ray), .eye = eye};
   if (!sight.point) sight.point = world.seen(ray);
-  // The depth buffer keeps the opening's depth.
-  for (int passed = 0; sight.point && request.output != Output::depth; ++passed) {
+  for (int passed = 0; sight.point; ++passed) {
     const Portals::Opening* opening = portals.at(*sight.point);
     if (!opening) break;
     if (passed >= request.shading.portal_depth) {

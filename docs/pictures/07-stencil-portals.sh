@@ -1,1 +1,1 @@
-draw --scene posts
+draw --scene alley

@@ -1,1 +1,14 @@
-draw 07-posts $step --scene posts && single 07-posts
+size=400x300
+draw 07-rooms $step --scene rooms && single 07-rooms
+draw 07-mirror $step --scene mirror && single 07-mirror
+draw 07-tilted $step --scene rolled && single 07-tilted
+draw 07-corridor $step --scene corridor --set portals.depth=60 && single 07-corridor
+draw 07-alley $step --scene alley && single 07-alley
+size=300x225
+draw without $step --scene rooms --set portals.clip=none && draw with $step --scene rooms && pair 07-not-clipped without with
+draw before $step --scene rooms --set visitor.way=0.8333 && draw after $step --scene rooms --set visitor.way=0.8334 && pair 07-crossing before after
+mistakes $step 07-mistakes room-seen--{half-turn-missing,view-passage-itself} corridor-end--restore-not-closed tilted--{half-turn-outside,transposed-for-inverse} covered--restore-no-depth
+
+# The visitor's walk.
+(cd "$root" && "$build/bin/$step" --implementations "$build/implementations/solutions:solutions" --scene rooms \
+  --size 240x180 --record "$out/07-walk.gif" --frames 32 --vary visitor.way=0..1 --set frame.supersampling=3)

@@ -18,11 +18,11 @@ glm::dmat4 inverse_of(const glm::dmat4& frame_to_world) {
 }
 
 /// The part of a convex polygon where dot(side, p) >= 0.
-std::vector<glm::vec4> part_inside(const std::vector<glm::vec4>& polygon, const glm::vec4& side) {
-  std::vector<glm::vec4> inside;
+std::vector<glm::dvec4> part_inside(const std::vector<glm::dvec4>& polygon, const glm::dvec4& side) {
+  std::vector<glm::dvec4> inside;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const glm::vec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const float at_a = glm::dot(side, a), at_b = glm::dot(side, b);
+    const glm::dvec4 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const double at_a = glm::dot(side, a), at_b = glm::dot(side, b);
     if (at_a >= 0) inside.push_back(a);
     if ((at_a >= 0) != (at_b >= 0)) inside.push_back(a + (b - a) * (at_a / (at_a - at_b)));
   }
@@ -98,19 +98,19 @@ void begin_restore(Gl& gl, int level) {
 std::optional<glm::ivec4> opening_rectangle(std::span<const glm::vec4> corners, const glm::ivec2& size,
                                             const glm::ivec4& around) {
   // >>> student: cut the polygon at the picture's sides, then find its bounds in pixels
-  std::vector<glm::vec4> visible(corners.begin(), corners.end());
-  const glm::vec4 sides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
-  for (const glm::vec4& side : sides) visible = part_inside(visible, side);
-  glm::vec2 low(1), high(-1);
-  for (const glm::vec4& p : visible) {
+  std::vector<glm::dvec4> visible(corners.begin(), corners.end());
+  const glm::dvec4 sides[] = {{1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}};
+  for (const glm::dvec4& side : sides) visible = part_inside(visible, side);
+  glm::dvec2 low(1), high(-1);
+  for (const glm::dvec4& p : visible) {
     if (p.w <= 0) continue;  // the eye itself
-    low = glm::min(low, glm::vec2(p) / p.w);
-    high = glm::max(high, glm::vec2(p) / p.w);
+    low = glm::min(low, glm::dvec2(p) / p.w);
+    high = glm::max(high, glm::dvec2(p) / p.w);
   }
-  const glm::vec2 half = 0.5f * glm::vec2(size);
-  const glm::ivec2 first = glm::max(glm::ivec2(glm::floor((low + 1.0f) * half)), glm::ivec2(around.x, around.y));
+  const glm::dvec2 half = 0.5 * glm::dvec2(size);
+  const glm::ivec2 first = glm::max(glm::ivec2(glm::floor((low + 1.0) * half)), glm::ivec2(around.x, around.y));
   const glm::ivec2 last =
-      glm::min(glm::ivec2(glm::ceil((high + 1.0f) * half)), glm::ivec2(around.x + around.z, around.y + around.w));
+      glm::min(glm::ivec2(glm::ceil((high + 1.0) * half)), glm::ivec2(around.x + around.z, around.y + around.w));
   if (last.x <= first.x || last.y <= first.y) return {};
   return glm::ivec4(first, last - first);
   // --- skeleton
@@ -153,7 +153,7 @@ glm::vec4 plane_in_view(const glm::dvec4& plane_world, const glm::mat4& world_to
 
 glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane_view) {
   // >>> student: a new third row: the plane, scaled, minus the fourth row
-  const glm::mat4 clip_to_view = glm::inverse(projection);
+  const glm::mat4 clip_to_view(glm::inverse(glm::dmat4(projection)));  // floats lose the far corner
   const glm::vec4 plane_clip = glm::transpose(clip_to_view) * plane_view;
   const glm::vec4 corner = clip_to_view * glm::vec4(plane_clip.x < 0 ? -1 : 1, plane_clip.y < 0 ? -1 : 1, 1, 1);
   const glm::mat4 rows = glm::transpose(projection);

@@ -60,11 +60,13 @@ void begin_restore(Gl& gl, int level);
 // Core 3: only what is seen
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// The smallest rectangle of whole pixels (x, y of the lower left corner, width, height) that holds the visible part of
-/// an opening and lies in `around`, a rectangle too; none if nothing of it is visible there, or if the rectangle has no
-/// pixel. `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0. The picture
-/// has `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not matter. An edge that
-/// lies within 0.001 pixel of a pixel's side may count as beyond it or not. Handout, section 5.
+/// Where an opening is visible: the smallest rectangle of whole pixels (x, y of the lower left corner, width, height)
+/// that holds the part of it inside of the picture, cut to `around`, a rectangle too; none if this has no pixel.
+/// `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0, and none has
+/// w = 0. The picture has `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not
+/// matter. An opening may be very near to the eye (a tenth of a millimetre): floats are not enough. An edge that lies
+/// within 0.001 pixel of a pixel's side may count as beyond it or not; so may an opening without an area. Handout,
+/// section 5.
 /// Size 100 x 100, around all of it, corners (-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5) with w = 1:
 /// (25, 25, 50, 50).
 std::optional<glm::ivec4> opening_rectangle(std::span<const glm::vec4> corners, const glm::ivec2& size,
@@ -97,8 +99,8 @@ glm::vec4 plane_in_view(const glm::dvec4& plane_world, const glm::mat4& world_to
 /// (further) The projection with its near plane moved onto a plane of view space, so that OpenGL clips what is on the
 /// plane's negative side (Lengyel 2005): x, y and w of every point stay as they are; z = -w on the plane; and of the
 /// corners of the view volume on its far plane, the one that is farthest from the plane keeps z = w. `projection` is a
-/// perspective one of step 01 (depths from -w to w). The eye is on the plane's negative side, so plane.w < 0. Handout,
-/// section 7.
+/// perspective one of step 01 (depths from -w to w). The eye is on the plane's negative side, so plane.w < 0, and that far
+/// corner on its positive side. Handout, section 7.
 glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane_view);
 
 }  // namespace atelier::stencil_portals

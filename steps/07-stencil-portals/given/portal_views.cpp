@@ -142,7 +142,7 @@ View PortalViews::view_through(const Opening& opening, const Viewpoint& around, 
 
 void PortalViews::draw_opening(Gl&, const Opening& opening, const Viewpoint& around, const Target& target, int item,
                                ScenePainter& painter) {
-  const bool from_behind = distance(opening_plane(opening.frame, false), eye_of(around)) <= 0;
+  const bool from_behind = distance(opening_plane(opening.frame, false), eye_of(around)) < 0;
   if (from_behind && !opening.two_sided) return;
   // Not seen where all of it stands before the exit of the view that is being drawn.
   if (!planes_.empty() && std::ranges::all_of(corners_of(opening), [&](const glm::dvec4& corner) {

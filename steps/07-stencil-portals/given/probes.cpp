@@ -46,9 +46,9 @@ void fill(Gl& gl, const Buffers& buffers) {
   gl.Disable(GL_SCISSOR_TEST);
 }
 
-/// Calls `begin` on a picture whose stencil buffer holds these levels, draws an opening of depth 0.5 over all of it,
-/// and returns what is in the stencil buffer, in the depth buffer, and in red (0 before, 1 if the opening's colour was
-/// written).
+/// Calls `begin` on a picture whose stencil buffer holds these levels, draws an opening of depth 0.5 over all of it, and
+/// returns what is in the stencil buffer, in the depth buffer, and the sum of the colour's four channels: 0 before, 1 for
+/// each in which the opening's colour was written.
 Numbers draw_opening(ProbeContext& context, const std::array<GLint, columns / 2>& levels, bool reversed,
                      const std::function<void()>& begin) {
   Gl& gl = context.gl;
@@ -79,7 +79,7 @@ Numbers draw_opening(ProbeContext& context, const std::array<GLint, columns / 2>
   for (const std::uint8_t value : stencil) out.push_back(value);
   for (const float value : depth) out.push_back(double(value));
   const Image colour = target.read_colour(gl);
-  for (const Rgba& pixel : colour.pixels()) out.push_back(pixel.r);
+  for (const Rgba& p : colour.pixels()) out.push_back(double(p.r + p.g + p.b + p.a));
   return out;
 }
 

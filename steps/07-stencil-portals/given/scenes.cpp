@@ -78,8 +78,8 @@ void add_room(Scene& scene, double x, double z, const glm::vec3& size, int walls
 }
 
 int checkered(Scene& scene, const char* name, const Rgba& first, const Rgba& second) {
-  const int texture =
-      add_texture(scene, name, make_checker({.size = 64, .squares = 2, .first = first, .second = second}));
+  const int texture = add_texture(
+      scene, name, make_checker({.size = 64, .squares = 2, .first = first, .second = second}), Filter::linear);
   return add_material(scene, {.name = name, .diffuse_texture = texture});
 }
 

@@ -522,6 +522,17 @@ void add_random_rectangles(Group& group) {
       }
       return rectangle_error(corners, {640, 480});
     });
+  for (const double before : {1e-2, 1e-4})
+    row(fmt::format("4000 looks about from {:g} m before an opening of 2 m x 2 m", before), 4000, [=](Trial& t) {
+      const glm::dmat4 frame = odd_frame(t, 0);
+      const double x = t.between(-0.9, 0.9), y = t.between(-0.9, 0.9);
+      std::vector<glm::vec4> corners;
+      for (const glm::dvec2& c : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
+        const Exact p = at(frame, {c.x - x, c.y - y, -before});
+        corners.emplace_back(p.x, p.y, p.z, -p.z);
+      }
+      return rectangle_error(corners, {1920, 1080});
+    });
   row("2000 triangles of 1e-4 to 1e4 m at such distances", 2000, [](Trial& t) {
     const double size = t.size_between(1e-4, 1e4);
     return rectangle_error(some_polygon(t, t.size_between(1e-4, 1e4) * t.direction(), size, 3), {640, 480});
@@ -556,7 +567,7 @@ bool meets(const glm::dmat4& frame, const glm::dvec2& half_size, const Exact& fr
                            at(frame, {half_size.x, half_size.y, 0}), at(frame, {-half_size.x, half_size.y, 0})};
   int before = 0;
   for (int i = 0; i < 4; ++i)
-    before += glm::dot(glm::cross(corners[i] - from, corners[(i + 1) % 4] - from), to - from) <= 0;
+    before += glm::dot(glm::cross(corners[i] - from, corners[(i + 1) % 4] - corners[i]), to - from) <= 0;
   return before == 4;
 }
 
