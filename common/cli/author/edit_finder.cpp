@@ -7,7 +7,7 @@
 namespace atelier {
 bool is_matrix(std::string_view name) {
   for (const char* part : {"matri", "mat3", "projection", "view", "model", "rotation", "scaling", "translation",
-                           "frame", "world_to", "_to_"})
+                           "frame", "passage", "world_to", "_to_"})
     if (name.find(part) != name.npos) return true;
   return false;
 }

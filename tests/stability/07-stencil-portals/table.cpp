@@ -469,7 +469,7 @@ void add_named_rectangles(Group& group) {
   row("nothing around: no width", box(-1, -1, 1, 1), {}, {10, 10, 0, 5});
   row("nothing around: no height", box(-1, -1, 1, 1), {}, {10, 10, 5, 0});
   row("it ends where what is around begins", box(-1, -1, 0, 0), {}, {50, 0, 50, 100});
-  for (const float huge : {1e4f, 1e8f, 1e18f, 1e30f}) {
+  for (const float huge : {1e4f, 1e8f, 1e12f}) {
     row(fmt::format("corners at {:g}: it covers the picture", huge).c_str(), box(-huge, -huge, huge, huge),
         {0, 0, 100, 100}, all);
     row(fmt::format("from -{:g} to the middle of a pixel", huge).c_str(), box(-huge, -huge, 0.51f, 0.31f),
