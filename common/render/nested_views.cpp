@@ -1,4 +1,4 @@
-// Nested views: implements ScenePainter::draw_view_inside.
+// Nested views: implements ScenePainter::draw_view_inside and fill_opening.
 #include <fmt/core.h>
 
 #include "gl/debug.hpp"
@@ -9,7 +9,8 @@
 namespace atelier {
 
 /// Draws the surface of an opening in one colour, in the enclosing view. Depths are clamped: an opening nearer than the
-/// near plane must not leave a hole while a visitor goes through it. Not so where the near plane is what clips the view.
+/// near plane must not leave a hole while a visitor goes through it. Not so where the near plane is what clips the
+/// view.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
   PassSources pass{.name = "opening",
                    .vertex =
@@ -46,6 +47,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
 
   const DebugGroup group(gl_, fmt::format("view inside, level {}", view.stencil_level));
   set_bounds(around, target);
+  gl_.Disable(GL_STENCIL_TEST);  // as in the outermost view: whoever marks must say what is compared
   functions.begin_mark(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
 
@@ -63,6 +65,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   // A view with another origin has recomputed the nodes' matrices.
   counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
   set_bounds(around, target);
+  gl_.Disable(GL_STENCIL_TEST);
   functions.begin_restore(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
   set_bounds(around, target);

@@ -30,7 +30,7 @@ namespace atelier::stencil_portals {
 /// Entry at the origin, exit at (10, 0, 0), both not turned: (1, 2, 3) is mapped to (9, 2, -3).
 glm::dmat4 portal_passage(const glm::dmat4& entry_to_world, const glm::dmat4& exit_to_world);
 
-/// The same of a mirror: maps every point to its image behind the mirror. Handout, section 1.
+/// The passage of a mirror: maps every point of the world to its image behind the mirror. Handout, section 1.
 /// Mirror at the origin, not turned: (1, 2, 3) is mapped to (1, 2, -3).
 glm::dmat4 mirror_passage(const glm::dmat4& mirror_to_world);
 
@@ -44,8 +44,9 @@ glm::mat4 virtual_view(const glm::mat4& world_to_view, const glm::dmat4& passage
 glm::dvec4 opening_plane(const glm::dmat4& frame_to_world, bool from_behind);
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Core 2: marking. The caller has bound the framebuffer, enabled the depth test with the depth function of the view, and
-// draws the opening after each of the two functions. All other state is OpenGL's default.
+// Core 2: marking. Before each of the two functions the caller sets all state to OpenGL's default, binds the
+// framebuffer, bounds the view (scissor, clip distance), and enables the depth test with the view's depth function.
+// After it, the caller draws the opening, and then sets all state anew.
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Sets the state for marking an opening: where it is visible and the stencil buffer holds `level` (0..254), the buffer
@@ -62,11 +63,12 @@ void begin_restore(Gl& gl, int level);
 
 /// Where an opening is visible: the smallest rectangle of whole pixels (x, y of the lower left corner, width, height)
 /// that holds the part of it inside of the picture, cut to `around`, a rectangle too; none if this has no pixel.
-/// `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0, and none has
-/// w = 0. The picture has `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not
-/// matter. An opening may be very near to the eye (a tenth of a millimetre): floats are not enough. An edge that lies
-/// within 0.001 pixel of a pixel's side may count as beyond it or not; so may an opening without an area. Handout,
-/// section 5.
+/// `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0. The picture has
+/// `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not matter. An opening may be
+/// very near to the eye (a tenth of a millimetre): floats are not enough. An edge that lies within 0.001 pixel of a
+/// pixel's side may count as beyond it or not. An opening seen edge-on, and one with a corner at w = 0 exactly, may
+/// have any rectangle in `around`, or none. Handout, section 5.
+///
 /// Size 100 x 100, around all of it, corners (-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5) with w = 1:
 /// (25, 25, 50, 50).
 std::optional<glm::ivec4> opening_rectangle(std::span<const glm::vec4> corners, const glm::ivec2& size,
@@ -77,14 +79,14 @@ std::optional<glm::ivec4> opening_rectangle(std::span<const glm::vec4> corners, 
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Whether a visitor who moves in a straight line from `from` to `to` (world space) goes through an opening from its
-/// front. The opening is the rectangle |x| <= half_size.x, |y| <= half_size.y of its frame; its rim belongs to it. Whoever
-/// starts on the plane or before it and ends behind it has gone through it, if the line meets the rectangle; whoever
-/// ends on the plane has not. Handout, section 6.
+/// front. The opening is the rectangle |x| <= half_size.x, |y| <= half_size.y of its frame; its rim belongs to it, up
+/// to rounding. Whoever starts on the plane or before it and ends behind it has gone through it, if the line meets the
+/// rectangle; whoever ends on the plane has not. Handout, section 6.
 bool goes_through(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, const glm::dvec3& from,
                   const glm::dvec3& to);
 
-/// A camera after it has gone through a portal: eye, target and up are carried through, all else stays. Handout,
-/// section 6.
+/// A camera after it has gone through a portal: eye, target and up are carried through, up with its length; all else
+/// stays. Handout, section 6.
 Camera carried(const Camera& camera, const glm::dmat4& passage);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -99,8 +101,8 @@ glm::vec4 plane_in_view(const glm::dvec4& plane_world, const glm::mat4& world_to
 /// (further) The projection with its near plane moved onto a plane of view space, so that OpenGL clips what is on the
 /// plane's negative side (Lengyel 2005): x, y and w of every point stay as they are; z = -w on the plane; and of the
 /// corners of the view volume on its far plane, the one that is farthest from the plane keeps z = w. `projection` is a
-/// perspective one of step 01 (depths from -w to w). The eye is on the plane's negative side, so plane.w < 0, and that far
-/// corner on its positive side. Handout, section 7.
+/// perspective one of step 01 (depths from -w to w). The eye is on the plane's negative side, so plane.w < 0, and that
+/// far corner on its positive side. Handout, section 7.
 glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane_view);
 
 }  // namespace atelier::stencil_portals

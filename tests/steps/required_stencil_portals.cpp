@@ -37,7 +37,6 @@ TEST_CASE("openings that are not seen cost nothing", "[required][07-stencil-port
   const glm::dvec3 eye(0.5, 1.5, 3);
   check_costs(portal_step,
               {
-                  // A view inside passes three times: it is marked, cleared and closed.
                   {"one view inside another", rooms({{"portals.depth", 1}}), {{"nodes", 32}}},
                   {"behind the eye", seen_from(rooms(), eye, {0.5, 1.5, 8}), {{"nodes", 16}, {"passes", 1}}},
                   {"from behind a door that is open on one side",
@@ -91,15 +90,15 @@ TEST_CASE("a visitor's way has no jump at a tilted door", "[required][07-stencil
   for (std::size_t i = 1; i < all.size(); ++i) {
     largest = std::max(largest, pixels_that_differ(all[i - 1].picture, all[i].picture, 0.15f));
   }
-  // Edges move by a pixel or two: a twentieth of the picture. A frame that shows the wrong place is another picture.
+  // Edges move by a pixel or two: at most an eighth of the picture. A frame that shows the wrong place is another one.
   CHECK(largest < 160 * 120 / 8);
   CHECK(largest > 0);
 }
 
-TEST_CASE("255 levels are the most, and end in plain colour", "[required][07-stencil-portals]") {
-  const auto deep =
-      drawn(portal_step, {picture("corridor", {{"portals.depth", 255}}), picture("corridor", {{"portals.depth", 60}})});
-  for (const Rgba& p : deep[0].picture.pixels())
-    REQUIRE((std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b)));
-  CHECK(codes_apart(deep[0].picture, deep[1].picture) < 255);
+TEST_CASE("255 levels are the most, and nothing is left behind the last", "[required][07-stencil-portals]") {
+  // The last openings are smaller than a pixel, so the last level but one shows the same.
+  const auto deep = drawn(
+      portal_step, {picture("corridor", {{"portals.depth", 255}}), picture("corridor", {{"portals.depth", 254}})});
+  CHECK(pixels_that_differ(deep[0].picture, deep[1].picture, 0.01f) <= 1);
+  CHECK(deep[0].counts.at("nodes") == 256 * 11);  // every level draws the hall's eleven nodes
 }

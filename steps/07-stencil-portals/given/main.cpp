@@ -16,7 +16,6 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .title = ATELIER_STEP_TITLE,
       .scenes = portal_scenes(),
       .settings = {portal_settings(), visitor_settings(), normal_mapping_settings(), lit_surface_settings()},
-      .outputs = {recorded_normal_output()},
       .probes = portal_probes(),
       .transforms = transform_functions(),
       .features =

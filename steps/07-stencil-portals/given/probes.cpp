@@ -46,9 +46,9 @@ void fill(Gl& gl, const Buffers& buffers) {
   gl.Disable(GL_SCISSOR_TEST);
 }
 
-/// Calls `begin` on a picture whose stencil buffer holds these levels, draws an opening of depth 0.5 over all of it, and
-/// returns what is in the stencil buffer, in the depth buffer, and the sum of the colour's four channels: 0 before, 1 for
-/// each in which the opening's colour was written.
+/// Calls `begin` on a picture whose stencil buffer holds these levels, draws an opening of depth 0.5 over all of it,
+/// and returns what is in the stencil buffer, in the depth buffer, and the sum of the colour's four channels: 0 before,
+/// 1 for each in which the opening's colour was written.
 Numbers draw_opening(ProbeContext& context, const std::array<GLint, columns / 2>& levels, bool reversed,
                      const std::function<void()>& begin) {
   Gl& gl = context.gl;

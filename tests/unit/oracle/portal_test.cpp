@@ -8,7 +8,7 @@ using namespace atelier::test;
 namespace {
 
 /// A square of 2 m a side in the plane z = 0, facing +z.
-Mesh square() {
+Mesh opening_square() {
   const auto corner = [](float x, float y) { return Vertex{{x, y, 0}, {0, 0, 1}, {(x + 1) / 2, (y + 1) / 2}}; };
   return {.name = "square",
           .vertices = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)},
@@ -21,7 +21,7 @@ Mesh square() {
 Scene two_places() {
   Scene scene = dark_scene();
   scene.background = {0.25f, 0.5f, 0.75f};
-  const int mesh = add_mesh(scene, square());
+  const int mesh = add_mesh(scene, opening_square());
   const auto place = [&](const char* name, const glm::dvec3& at, float turn) {
     return add_node(scene, {.name = name, .translation = at, .rotation_angle = degrees(turn), .mesh = mesh});
   };
@@ -76,11 +76,12 @@ TEST_CASE("a mirror shows what stands before it, the other way round", "[portal]
   Scene scene = two_places();
   scene.portals = {{.node = 0}};
   add_node(scene, {.name = "facing the mirror", .translation = {1.5, 0, 4}, .rotation_angle = degrees(180), .mesh = 0});
-  // The eye at x = 0.5 looks at the mirror's x = 1: reflected, it meets the square at z = 4 at x = 0.5 + 3 * 0.25...
+  // The eye at (0.5, 2) in x and z looks at the mirror's point (0.875, 0). Reflected, the ray meets the square at z
+  // = 4.
   scene.camera.eye = {0.5, 0, 2};
   scene.camera.target = {0.875, 0, 0};
   const Rgba position = middle(scene, oracle::Output::position, 1);
-  CHECK(position.r == Approx(0.5 + 0.375 * 3));  // 6 m of way, 0.375 m sideways for 2 m
+  CHECK(position.r == Approx(0.5 + 0.375 * 3));  // 6 m of way, 0.375 m sideways for every 2 m
   CHECK(position.b == Approx(4));
 }
 
