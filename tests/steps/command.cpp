@@ -1,6 +1,7 @@
 #include "command.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 
 #include "base/file.hpp"
@@ -29,7 +30,11 @@ std::vector<std::string> with_steps(std::vector<std::string> arguments) {
 
 Finished run_atelier(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), (folders().build / "bin" / "atelier").string());
-  return run_process({.arguments = arguments, .folder = folders().root, .output_limit = 16 << 20});
+  // Commands on all steps take minutes; ctest's own limit is 900 s.
+  return run_process({.arguments = arguments,
+                      .folder = folders().root,
+                      .time_limit = std::chrono::seconds(880),
+                      .output_limit = 16 << 20});
 }
 
 nlohmann::json graded(const std::filesystem::path& submission, const std::vector<std::string>& options) {
