@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/strict_json.hpp"
 #include "case/setting_json.hpp"
+#include "measure/median.hpp"
 #include "measure/metric_json.hpp"
 
 namespace atelier::measure {
@@ -36,11 +37,6 @@ BaselineRow row_of(const Json& json, const std::string& where) {
 struct Pair {
   double baseline = 0, row = 0;
 };
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
 
 using SettingValues = std::map<std::string, SettingValue>;
 

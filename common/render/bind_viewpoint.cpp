@@ -2,14 +2,9 @@
 
 namespace atelier {
 
-namespace {
-
-/// A view's clip plane in the shaders' world space.
 glm::vec4 moved_plane(const glm::dvec4& plane, const glm::dvec3& origin) {
   return glm::vec4(glm::dvec4(glm::dvec3(plane), plane.w + glm::dot(glm::dvec3(plane), origin)));
 }
-
-}  // namespace
 
 void bind_viewpoint(Binder& binder, const Viewpoint& viewpoint) {
   binder.set("u_view", viewpoint.world_to_view);

@@ -7,16 +7,13 @@
 #include "base/error.hpp"
 #include "base/process.hpp"
 #include "cli/author/bench.hpp"
+#include "measure/median.hpp"
 
 namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
+using measure::median;
 
 /// From what the program writes (tests/peers/peers.hpp).
 PeerRow row_of(const nlohmann::json& json) {

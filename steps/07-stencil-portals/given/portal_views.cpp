@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "07-stencil-portals/stencil_portals.hpp"
+#include "render/bind_viewpoint.hpp"
 
 namespace atelier {
 
@@ -41,11 +42,6 @@ namespace {
 
 double distance(const glm::dvec4& plane, const glm::dvec3& point) {
   return glm::dot(plane, glm::dvec4(point, 1));
-}
-
-/// The same plane in a world whose origin has moved.
-glm::vec4 relative_to(const glm::dvec4& plane, const glm::dvec3& origin) {
-  return glm::vec4(glm::dvec3(plane), distance(plane, origin));
 }
 
 glm::dvec3 eye_of(const Viewpoint& view) {
@@ -117,7 +113,7 @@ std::optional<glm::ivec4> PortalViews::rectangle_of(const Opening& opening, cons
   return opening_rectangle(corners, size, bounds);
 }
 
-View PortalViews::view_through(const Opening& opening, const Viewpoint& around, bool from_behind) {
+View PortalViews::view_through(const Opening& opening, const Viewpoint& around, const glm::dvec4& plane) const {
   // The passage of a world whose origin has moved.
   const glm::dmat4 to_absolute = glm::translate(glm::dmat4(1), around.origin);
   const glm::dmat4 passage = glm::translate(glm::dmat4(1), -around.origin) * opening.passage * to_absolute;
@@ -126,21 +122,19 @@ View PortalViews::view_through(const Opening& opening, const Viewpoint& around, 
   view.mirrored = around.view.mirrored != opening.mirror;
   view.clip_plane.reset();
   view.projection.reset();
-  const glm::dvec4 plane = opening_plane(opening.exit, from_behind);
-  planes_.push_back(plane);
   const glm::dvec3 eye(opening.passage * glm::dvec4(eye_of(around), 1));
   // At the plane itself an oblique near plane leaves no depths: there clip distances take its place.
   const bool at_plane = -distance(plane, eye) < around.view.camera.near;
   if (clip_ == Clip::distance || (clip_ == Clip::oblique && at_plane)) {
     view.clip_plane = plane;
   } else if (clip_ == Clip::oblique) {
-    const glm::vec4 in_view = plane_in_view(glm::dvec4(relative_to(plane, around.origin)), *view.world_to_view);
+    const glm::vec4 in_view = plane_in_view(glm::dvec4(moved_plane(plane, around.origin)), *view.world_to_view);
     view.projection = oblique_projection(projection_, in_view);
   }
   return view;
 }
 
-void PortalViews::draw_opening(Gl&, const Opening& opening, const Viewpoint& around, const Target& target, int item,
+void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, const Target& target, int item,
                                ScenePainter& painter) {
   const bool from_behind = distance(opening_plane(opening.frame, false), eye_of(around)) < 0;
   if (from_behind && !opening.two_sided) return;
@@ -155,22 +149,22 @@ void PortalViews::draw_opening(Gl&, const Opening& opening, const Viewpoint& aro
     painter.fill_opening(around, target, item, around.view.output == "colour" ? opening.colour : glm::vec3(0));
     return;
   }
-  View view = view_through(opening, around, from_behind);
+  const glm::dvec4 plane = opening_plane(opening.exit, from_behind);
+  View view = view_through(opening, around, plane);
   view.scissor = *rectangle;
+  planes_.push_back(plane);
   painter.draw_view_inside(view, around, target, item, {.begin_mark = begin_mark, .begin_restore = begin_restore});
   planes_.pop_back();
 }
 
-void PortalViews::draw_inside(Gl& gl, const Scene&, const Viewpoint& around, const Target& target,
-                              ScenePainter& painter) {
+void PortalViews::draw_inside(Gl&, const Scene&, const Viewpoint& around, const Target& target, ScenePainter& painter) {
   if (!around.view.parent) {
     planes_.clear();
     projection_ = around.projection;
   }
   for (const Opening& opening : openings_)
     for (int item = 0; item < int(painter.items().size()); ++item)
-      if (painter.items()[std::size_t(item)].node == opening.node)
-        draw_opening(gl, opening, around, target, item, painter);
+      if (painter.items()[std::size_t(item)].node == opening.node) draw_opening(opening, around, target, item, painter);
 }
 
 Need PortalViews::need(const Scene& scene, const View&, const Node&) const {
@@ -184,7 +178,7 @@ std::map<Slot, SlotCode> PortalViews::slots() const {
 void PortalViews::bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) {
   // Outside of all openings nothing is cut away.
   const bool outside = planes_.empty() || !viewpoint.view.parent;
-  binder.set("u_opening_plane", outside ? glm::vec4(0, 0, 0, 1) : relative_to(planes_.back(), viewpoint.origin));
+  binder.set("u_opening_plane", outside ? glm::vec4(0, 0, 0, 1) : moved_plane(planes_.back(), viewpoint.origin));
 }
 
 }  // namespace atelier

@@ -40,17 +40,17 @@ class PortalViews : public Feature {
   void place(const Scene& scene);
   std::vector<glm::dvec4> corners_of(const Opening& opening) const;
   std::optional<glm::ivec4> rectangle_of(const Opening& opening, const Viewpoint& around, const Target& target) const;
-  View view_through(const Opening& opening, const Viewpoint& around, bool from_behind);
-  void draw_opening(Gl& gl, const Opening& opening, const Viewpoint& around, const Target& target, int item,
+  /// `plane` is the exit's: what stands before it is clipped.
+  View view_through(const Opening& opening, const Viewpoint& around, const glm::dvec4& plane) const;
+  void draw_opening(const Opening& opening, const Viewpoint& around, const Target& target, int item,
                     ScenePainter& painter);
 
   int deepest_ = 4, smallest_ = 1;
   bool scissor_ = true;
   Clip clip_ = Clip::distance;
   std::vector<Opening> openings_;
-  std::vector<glm::dvec4>
-      planes_;                  ///< of the views that are being drawn, the innermost last: what is before is clipped
-  glm::mat4 projection_{1.0f};  ///< of the frame, shared by all views inside but for their near planes
+  std::vector<glm::dvec4> planes_;  ///< the exits' planes of the views that are being drawn, the innermost last
+  glm::mat4 projection_{1.0f};      ///< of the frame, shared by all views inside but for their near planes
 };
 
 }  // namespace atelier

@@ -50,9 +50,8 @@ struct Look {
   int frame = 0;
 };
 
-Look add_look(Scene& scene, const glm::vec3& colour, bool two_sided = false) {
-  return {add_material(scene, {.name = "opening", .two_sided = two_sided}),
-          add_material(scene, plastic("frame", colour, 40))};
+Look add_look(Scene& scene, const glm::vec3& colour) {
+  return {add_material(scene, {.name = "opening"}), add_material(scene, plastic("frame", colour, 40))};
 }
 
 /// A door: an opening in bars. Returns its node.

@@ -66,7 +66,6 @@ Peer assimp(const Mesh&) {
 int main(int argc, char** argv) {
   using namespace atelier;
   std::vector<peers::Row> rows;
-  std::vector<std::shared_ptr<Mesh>> meshes;
   struct Size {
     const char* name;
     int segments, sides;
