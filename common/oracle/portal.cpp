@@ -4,18 +4,19 @@
 
 namespace atelier::oracle {
 
+glm::dmat4 passage_of(const Portal& portal, const std::vector<glm::dmat4>& world) {
+  // In the entry's frame: half a turn about y to leave the exit at its front, or the reflection of a mirror.
+  const glm::dvec3 axes = portal.exit ? glm::dvec3(-1, 1, -1) : glm::dvec3(1, 1, -1);
+  glm::dmat4 turn(1);
+  for (int i = 0; i < 3; ++i) turn[i][i] = axes[i];
+  return world[std::size_t(portal.exit.value_or(portal.node))] * turn * glm::inverse(world[std::size_t(portal.node)]);
+}
+
 Portals::Portals(const Scene& scene) : by_node_(scene.nodes.size()) {
   if (scene.portals.empty()) return;
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
-  for (const Portal& portal : scene.portals) {
-    // In the entry's frame: half a turn about y to leave the exit at its front, or the reflection of a mirror.
-    const glm::dvec3 axes = portal.exit ? glm::dvec3(-1, 1, -1) : glm::dvec3(1, 1, -1);
-    glm::dmat4 turn(1);
-    for (int i = 0; i < 3; ++i) turn[i][i] = axes[i];
-    const glm::dmat4& entry = world[std::size_t(portal.node)];
-    const glm::dmat4& exit = world[std::size_t(portal.exit.value_or(portal.node))];
-    by_node_[std::size_t(portal.node)] = {portal.colour, exit * turn * glm::inverse(entry)};
-  }
+  for (const Portal& portal : scene.portals)
+    by_node_[std::size_t(portal.node)] = {portal.colour, passage_of(portal, world)};
 }
 
 const Portals::Opening* Portals::at(const SurfacePoint& point) const {

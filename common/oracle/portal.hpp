@@ -8,6 +8,9 @@
 
 namespace atelier::oracle {
 
+/// From where a visitor is to where they come out, world space. `world`: the nodes' matrices.
+glm::dmat4 passage_of(const Portal& portal, const std::vector<glm::dmat4>& world);
+
 class Portals {
  public:
   /// Of a valid scene.

@@ -39,12 +39,15 @@ glm::dvec3 shade(const World& world, const SurfacePoint& point, const glm::dvec3
 
   const glm::dvec3 to_eye = eye - point.position;
   if (point.normal == glm::dvec3(0) || to_eye == glm::dvec3(0)) return sum;
-  for (const Light& light : scene.lights) {
+  const auto add = [&](const Light& light, const auto& source) {
     const Arriving found = arriving(light, point.position);
     const glm::dvec3 share = reflected(surface, point.normal, glm::normalize(to_eye), found.to_light);
-    if (found.amount * share == glm::dvec3(0)) continue;  // nothing to shade
-    sum += visibility(world, point, light, shading) * found.amount * share;
-  }
+    if (found.amount * share == glm::dvec3(0)) return;  // nothing to shade
+    sum += visibility(world, point, source, shading) * found.amount * share;
+  };
+  for (const Light& light : scene.lights) add(light, light);
+  if (shading.portal_lights)
+    for (const LightImage& image : world.images()) add(image.light, image);
   return sum;
 }
 

@@ -38,9 +38,10 @@ struct Shading {
   double light_width = 0;    ///< soft: side of the square, 0..1e6 metres; for a directional light, tangent of an angle
   int light_samples = 16;    ///< soft: n x n points of the square on a regular grid, 1..256
   bool normal_maps = false;  ///< whether normal textures change the normal (oracle/normal_map.hpp), also as output
-  int portal_depth = 0;      ///< how many portals and mirrors one after another a ray of the camera goes through, 0..255
-  LightShare share;          ///< if set, multiplies the visible fraction of a light, at points that receive shadows
-  SurfaceColour surface;     ///< if set, replaces all of the above
+  int portal_depth = 0;  ///< how many portals and mirrors one after another a ray of the camera goes through, 0..255
+  bool portal_lights = false;  ///< light also goes through one portal, or is reflected by one mirror
+  LightShare share;            ///< if set, multiplies the visible fraction of a light, at points that receive shadows
+  SurfaceColour surface;       ///< if set, replaces all of the above
 };
 
 /// Throws Error if the width or the number of samples of soft shadows is out of range.

@@ -161,6 +161,8 @@ class SeenCells {
 
 void validate(const Shading& shading) {
   if (shading.shadows != Shadows::soft) return;
+  if (shading.portal_lights && shading.light_width > 0)
+    throw Error("soft shadows of light that goes through portals have no ground truth");
   if (!(shading.light_width >= 0 && shading.light_width <= widest))
     throw Error(fmt::format("a light {} wide (allowed: 0 to {})", shading.light_width, widest));
   if (shading.light_samples < 1 || shading.light_samples > most_samples)
@@ -193,6 +195,19 @@ double visibility(const World& world, const SurfacePoint& point, const Light& li
   if (!point.receives_shadow) return 1;
   const double seen = seen_share(world, point, light, shading);
   return shading.share ? seen * transmitted(light, point.position, shading.share) : seen;
+}
+
+double visibility(const World& world, const SurfacePoint& point, const LightImage& image, const Shading& shading) {
+  validate(shading);
+  const double gap = off_surface * (std::max(world.reach(), largest_component(point.position)) +
+                                    largest_component(image.light.position));
+  const glm::dvec3 towards = image.light.type == LightType::directional ? -glm::dvec3(image.light.direction)
+                                                                        : image.light.position - point.position;
+  const bool above = glm::dot(point.flat_normal, towards) >= 0;
+  const auto way = way_to(image, point.position + (above ? gap : -gap) * point.flat_normal, 10 * gap);
+  if (!way) return 0;
+  if (shading.shadows == Shadows::none || !image.light.casts_shadow || !point.receives_shadow) return 1;
+  return world.blocked(way->to_exit) || world.blocked(way->to_light) ? 0 : 1;
 }
 
 }  // namespace atelier::oracle

@@ -30,4 +30,9 @@ namespace atelier::oracle {
 /// Ignores `shading.surface`.
 double visibility(const World& world, const SurfacePoint& point, const Light& light, const Shading& shading);
 
+/// The same of the image of a light in an opening: 0 where the way to it does not lead through the opening; otherwise
+/// what is before the exit, and what is between the entry and the light, occludes it. Only hard shadows: throws Error
+/// for soft ones of lights that have a width. Ignores `shading.share`.
+double visibility(const World& world, const SurfacePoint& point, const LightImage& image, const Shading& shading);
+
 }  // namespace atelier::oracle

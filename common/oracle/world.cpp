@@ -68,6 +68,7 @@ World::World(const Scene& scene, std::vector<Shape> shapes) : scene_(scene) {
   place_nodes();
   place_shapes(std::move(shapes));
   build_tree();
+  images_ = light_images(scene);
 }
 
 void World::place_nodes() {
@@ -88,9 +89,33 @@ void World::place_nodes() {
     }
     for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
       const std::uint32_t a = base + mesh.indices[at], b = base + mesh.indices[at + 1], c = base + mesh.indices[at + 2];
-      triangles_.push_back({{a, mirrored ? c : b, mirrored ? b : c}, int(i)});
+      add_triangle({{a, mirrored ? c : b, mirrored ? b : c}, int(i)});
     }
   }
+}
+
+/// Adds the part of a triangle that its node keeps.
+void World::add_triangle(const Triangle& triangle) {
+  const std::optional<glm::dvec4>& kept = scene_.nodes[std::size_t(triangle.node)].kept;
+  if (!kept) {
+    triangles_.push_back(triangle);
+    return;
+  }
+  std::vector<std::uint32_t> part;  // a convex polygon
+  const auto side_of = [&](std::uint32_t corner) { return glm::dot(*kept, glm::dvec4(corners_[corner].position, 1)); };
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t from = triangle.corners[i], to = triangle.corners[(i + 1) % 3];
+    const double at_from = side_of(from), at_to = side_of(to);
+    if (at_from >= 0) part.push_back(from);
+    if ((at_from >= 0) == (at_to >= 0)) continue;
+    const double t = at_from / (at_from - at_to);
+    const Corner &a = corners_[from], &b = corners_[to];
+    const Corner between{glm::mix(a.position, b.position, t), glm::mix(a.normal, b.normal, t),
+                         glm::mix(a.texcoord, b.texcoord, t), glm::mix(a.tangent, b.tangent, t)};
+    part.push_back(std::uint32_t(corners_.size()));
+    corners_.push_back(between);
+  }
+  for (std::size_t i = 2; i < part.size(); ++i) triangles_.push_back({{part[0], part[i - 1], part[i]}, triangle.node});
 }
 
 void World::place_shapes(std::vector<Shape> shapes) {

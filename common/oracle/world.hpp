@@ -7,6 +7,7 @@
 
 #include "oracle/beam.hpp"
 #include "oracle/bvh.hpp"
+#include "oracle/light_image.hpp"
 #include "oracle/shape.hpp"
 #include "oracle/triangle.hpp"
 #include "scene/scene.hpp"
@@ -41,6 +42,7 @@ class World {
   explicit World(Scene&& scene, std::vector<Shape> shapes = {}) = delete;  // a temporary would not outlive the world
 
   const Scene& scene() const { return scene_; }
+  const std::vector<LightImage>& images() const { return images_; }  ///< of the scene's lights, in its openings
 
   /// The first visible point in the ray's interval: back faces are ignored unless their material is two-sided. For a
   /// mirrored node front and back are as in OpenGL with the winding swapped. At equal distance the first in the scene
@@ -69,9 +71,10 @@ class World {
 
  private:
   struct Corner {
-    glm::dvec3 position, normal;  ///< world space; the normal is of unit length or zero
+    // World space. Normal and tangent are of unit length or zero; where a node is cut off, they are interpolated.
+    glm::dvec3 position, normal;
     glm::dvec2 texcoord;
-    glm::dvec4 tangent;  ///< world space; xyz of unit length, or zero
+    glm::dvec4 tangent;
   };
   struct Triangle {
     std::uint32_t corners[3];  ///< counter-clockwise seen from the front
@@ -87,6 +90,7 @@ class World {
   struct Found;
 
   void place_nodes();
+  void add_triangle(const Triangle& triangle);
   void place_shapes(std::vector<Shape> shapes);
   void build_tree();
   glm::dvec4 tangent_of(const Shape& shape) const;
@@ -97,6 +101,7 @@ class World {
   SurfacePoint point_on_shape(std::size_t index, const ShapeHit& hit, const Ray& ray) const;
 
   const Scene& scene_;
+  std::vector<LightImage> images_;
   std::vector<Corner> corners_;
   std::vector<Triangle> triangles_;
   std::vector<PlacedShape> shapes_;

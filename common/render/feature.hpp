@@ -64,20 +64,25 @@ class Feature {
   /// Post-processing passes, in order, for a view that has its own target.
   virtual std::vector<ChainPass> passes(const Scene&, const View&) const { return {}; }
 
-  /// Draws what the view needs into targets of the feature's own, such as shadow maps. They are valid until the next
-  /// view. Called with default OpenGL state, which it may change.
-  virtual void draw_before(Gl&, const Scene&, const Viewpoint&, ScenePainter&) {}
-
   /// The background colour. The last feature that returns one wins; otherwise it is the scene's.
   virtual std::optional<glm::vec3> background(const Scene&, const View&) const { return {}; }
 
-  /// Draws an output that is not a view of the scene's surfaces, such as a stored shadow map, and returns true;
-  /// otherwise returns false. Called with the target bound, the last feature first.
-  virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
+  /// Whether the feature may draw the view's output instead of the scene's surfaces. If any does, no views are drawn
+  /// inside this one.
+  virtual bool may_draw_instead(const View&) const { return false; }
 
-  /// Draws views inside one whose surfaces are drawn next, with ScenePainter::draw_view_inside: what their openings
-  /// hide is not shaded. It is called for these views too: the feature must limit the recursion.
+  /// Draws views inside this one, with ScenePainter::draw_view_inside, before its surfaces: what their openings hide is
+  /// not shaded. It is called for these views too: the feature must limit the recursion.
   virtual void draw_inside(Gl&, const Scene&, const Viewpoint&, const Target&, ScenePainter&) {}
+
+  /// Draws what the view's surfaces need into targets of the feature's own, such as shadow maps. They are valid until
+  /// the next view. Called with default OpenGL state, which it may change.
+  virtual void draw_before(Gl&, const Scene&, const Viewpoint&, ScenePainter&) {}
+
+  /// Draws an output that is not a view of the scene's surfaces, such as a stored shadow map, and returns true;
+  /// otherwise returns false. Called with the target bound, the last feature first, if may_draw_instead is true for
+  /// any.
+  virtual bool draw_instead(Gl&, const View&, const Target&) { return false; }
 
   /// Whether a node is not drawn in a view because the feature draws it, such as the opening of a portal. Called like
   /// `need`.

@@ -9,23 +9,30 @@
 namespace atelier {
 
 /// Draws the surface of an opening in one colour, in the enclosing view. Depths are clamped: an opening nearer than the
-/// near plane must not leave a hole while a visitor goes through it. Not so where the near plane is what clips the
-/// view.
+/// near plane must not leave a hole while a visitor goes through it.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
   PassSources pass{.name = "opening",
                    .vertex =
-                       "#ifdef CLIP_PLANE\nuniform vec4 u_clip_plane;\n#endif\n"
+                       "#ifdef CLIPPED\nuniform vec4 u_openings_clip_plane;\n#endif\n"
                        "void main() {\n"
                        "  gl_Position = clip_position(u_projection, u_view, u_model, a_position);\n"
-                       "#ifdef CLIP_PLANE\n"
-                       "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
+                       "#ifdef CLIPPED\n"
+                       "  gl_ClipDistance[0] =\n"
+                       "      dot(u_openings_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
                        "#endif\n"
                        "}\n",
                    .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
-  if (around.view.clip_plane) pass.structure["CLIP_PLANE"] = "1";
-  if (!around.view.projection) gl_.Enable(GL_DEPTH_CLAMP);
+  const std::optional<glm::dvec4>& plane = around.view.openings_clip_plane;
+  if (plane) {
+    pass.structure["CLIPPED"] = "1";
+    gl_.Enable(GL_CLIP_DISTANCE0);
+  } else {
+    gl_.Disable(GL_CLIP_DISTANCE0);
+  }
+  gl_.Enable(GL_DEPTH_CLAMP);
   paint(pass, std::span(&opening, 1), [&](Binder& binder) {
     bind_viewpoint(binder, around);
+    if (plane) binder.set("u_openings_clip_plane", moved_plane(*plane, around.origin));
     binder.set("u_colour", colour);
   });
 }

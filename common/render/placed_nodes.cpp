@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "gl/debug.hpp"
+#include "render/bind_viewpoint.hpp"
 
 namespace atelier {
 
@@ -82,10 +83,14 @@ int PlacedNodes::place(bool camera_relative, const glm::dvec3& origin) {
   if (world.size() != joints.size())
     throw Error(fmt::format("world_matrices returned {} matrices for {} nodes", world.size(), joints.size()));
   items_.clear();
-  for (std::size_t i = 0; i < world.size(); ++i)
-    if (const auto mesh = scene_.nodes[i].mesh)
-      items_.push_back(
-          {int(i), world[i], transforms_.normal_matrix(world[i]), mirrors(world[i]), meshes_[std::size_t(*mesh)].box});
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    const Node& node = scene_.nodes[i];
+    if (!node.mesh) continue;
+    ScenePainter::Item item{int(i), world[i], transforms_.normal_matrix(world[i]), mirrors(world[i]),
+                            meshes_[std::size_t(*node.mesh)].box};
+    if (node.kept) item.kept = moved_plane(*node.kept, origin);
+    items_.push_back(item);
+  }
   placed_for_ = wanted;
   return int(world.size() + items_.size());
 }
@@ -93,6 +98,10 @@ int PlacedNodes::place(bool camera_relative, const glm::dvec3& origin) {
 void PlacedNodes::draw(const ScenePainter::Item& item, bool mirrored) const {
   const UploadedMesh& mesh = meshes_[std::size_t(*scene_.nodes[std::size_t(item.node)].mesh)];
   if (!mesh.vertex_array || mesh.count <= 0) return;  // step 01's upload_mesh is not written yet: nothing to draw
+  if (item.kept)
+    gl_.Enable(GL_CLIP_DISTANCE1);
+  else
+    gl_.Disable(GL_CLIP_DISTANCE1);
   gl_.FrontFace(GLenum(item.mirrored != mirrored ? GL_CW : GL_CCW));
   gl_.BindVertexArray(mesh.vertex_array.id());
   if (mesh.index_buffer)

@@ -35,6 +35,17 @@ Program linked(Gl& gl, const std::string& name, const ShaderSource& vertex, cons
   return {std::move(program), std::move(uniforms), std::move(files)};
 }
 
+/// A pass's vertex stage that also clips at the plane where a node ends.
+std::string with_end(const std::string& vertex) {
+  return "#define main main_of_pass\n" + vertex +
+         "\n#undef main\n"
+         "uniform vec4 u_kept;\n"
+         "void main() {\n"
+         "  main_of_pass();\n"
+         "  gl_ClipDistance[1] = dot(u_kept, vec4(world_position(u_model, a_position), 1.0));\n"
+         "}\n";
+}
+
 }  // namespace
 
 bool ChainKey::operator<(const ChainKey& other) const {
@@ -67,8 +78,10 @@ Program Programs::build(const PassSources& pass) const {
                                 fmt::format("{} {} shader", pass.name, which), pass.structure);
   };
   const ShaderSource geometry = stage(pass.geometry, "geometry");
-  return linked(gl_, pass.name, stage(pass_vertex_text(transforms_glsl_) + pass.vertex, "vertex"),
-                stage(pass.fragment, "fragment"), pass.geometry.empty() ? nullptr : &geometry);
+  std::string vertex = pass_vertex_text(transforms_glsl_) + pass.vertex;
+  if (pass.structure.contains("KEPT") && pass.geometry.empty()) vertex = with_end(vertex);
+  return linked(gl_, pass.name, stage(vertex, "vertex"), stage(pass.fragment, "fragment"),
+                pass.geometry.empty() ? nullptr : &geometry);
 }
 
 Program Programs::build(const ChainKey& key) const {

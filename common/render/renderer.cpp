@@ -107,6 +107,7 @@ SurfaceKey Renderer::key_for(const View& view, const Node& node, const ViewKind&
   }
   if (scene_->materials[std::size_t(node.material)].two_sided) key.structure["TWO_SIDED"] = std::string("1");
   if (kind.clipped) key.structure["CLIP_PLANE"] = std::string("1");
+  if (node.kept) key.structure["KEPT"] = std::string("1");
   if (options_.constants_as_varyings) key.structure[constants_as_varyings] = std::string("1");
   if (kind.marks_non_finite) key.structure[marks_non_finite] = std::string("1");
   return key;
@@ -119,7 +120,7 @@ const std::vector<Renderer::Variant>& Renderer::variants(const View& view, const
   if (version != variants_version_) variants_.clear();
   variants_version_ = version;
   const ColourFormat format = target.spec().colour;
-  const ViewKind kind{view.output, view.clip_plane.has_value(),
+  const ViewKind kind{view.output, view.clip_plane.has_value(), view.parent != nullptr,
                       format == ColourFormat::rgba8 || format == ColourFormat::srgb8};
   if (const auto found = variants_.find(kind); found != variants_.end()) return found->second;
   std::vector<Variant> found;
@@ -160,10 +161,11 @@ Viewpoint Renderer::look(const View& view, const TargetSpec& target) const {
     projection = make(camera.fov_y, aspect, camera.near, camera.far);
   }
   if (!view.world_to_view)
-    return {view, transforms_.look_at(moved(camera.eye), moved(camera.target), camera.up), projection,
-            moved(camera.eye), origin};
+    return {view,       transforms_.look_at(moved(camera.eye), moved(camera.target), camera.up),
+            projection, moved(camera.eye),
+            origin,     camera.eye};
   const glm::dvec3 eye(glm::inverse(glm::dmat4(*view.world_to_view))[3]);
-  return {view, *view.world_to_view, projection, glm::vec3(eye), origin};
+  return {view, *view.world_to_view, projection, glm::vec3(eye), origin, view.eye.value_or(eye + origin)};
 }
 
 bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
@@ -238,6 +240,7 @@ void Renderer::draw(const Item& item, const Variant& variant, Drawing& drawing) 
   binder.set("u_model", item.model);
   binder.set("u_normal_matrix", item.normal_matrix);
   binder.set("u_mirrored", int(item.mirrored));
+  if (item.kept) binder.set("u_kept", *item.kept);
   for (const auto& feature : features_)
     if (variant.key->has(*feature)) feature->bind_material(binder, *scene_, material);
   if (material.two_sided || drawing.viewpoint.view.wireframe)
@@ -281,17 +284,16 @@ void Renderer::draw_before(const Viewpoint& viewpoint, const Target& target) {
 void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
-  draw_before(viewpoint, target);
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
   begin(viewpoint, target);
-  if (drawn_instead(view, target)) return;
-  // Views inside come first: what their openings hide need not be shaded.
-  const std::int64_t drawn = ++scenes_drawn_;
-  for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
-  if (scenes_drawn_ != drawn) {  // their maps have replaced this view's
-    draw_before(viewpoint, target);
-    set_bounds(viewpoint, target);
-  }
+  const bool instead =
+      std::ranges::any_of(features_, [&](const auto& feature) { return feature->may_draw_instead(view); });
+  // Views inside come first: what their openings hide need not be shaded, and their maps replace those of this view.
+  if (!instead)
+    for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
+  draw_before(viewpoint, target);
+  set_bounds(viewpoint, target);
+  if (instead && drawn_instead(view, target)) return;
   draw_nodes(viewpoint, target);
 }
 
@@ -335,14 +337,25 @@ void Renderer::render(const View& view, const Target& target) {
 
 void Renderer::paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) {
   if (items.empty()) return;
-  Program& chosen = programs_.pass(pass);
-  gl_.UseProgram(chosen.program.id());
-  Binder binder(gl_, chosen.uniforms);
-  bind(binder);
-  for (const int i : items) {
-    const Item& item = nodes_->items()[std::size_t(i)];
-    binder.set("u_model", item.model);
-    nodes_->draw(item, mirrored_);
+  // First the whole nodes, then those that end at a plane, which need another program.
+  for (const bool kept : {false, true}) {
+    PassSources sources = pass;
+    if (kept) sources.structure["KEPT"] = "1";
+    Program* chosen = nullptr;
+    std::optional<Binder> binder;
+    for (const int i : items) {
+      const Item& item = nodes_->items()[std::size_t(i)];
+      if (item.kept.has_value() != kept) continue;
+      if (!chosen) {
+        chosen = &programs_.pass(sources);
+        gl_.UseProgram(chosen->program.id());
+        binder.emplace(gl_, chosen->uniforms);
+        bind(*binder);
+      }
+      if (kept) binder->set("u_kept", *item.kept);
+      binder->set("u_model", item.model);
+      nodes_->draw(item, mirrored_);
+    }
   }
   gl_.BindVertexArray(0);
 }

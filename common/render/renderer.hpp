@@ -64,6 +64,7 @@ class Renderer : private ScenePainter {
   struct ViewKind {
     std::string output;
     bool clipped = false;
+    bool inside = false;            ///< another view
     bool marks_non_finite = false;  ///< the target's format cannot store NaN and infinity
     auto operator<=>(const ViewKind&) const = default;
   };
@@ -110,8 +111,7 @@ class Renderer : private ScenePainter {
   std::vector<Light> lights_;         ///< of the scene, then of features
   std::optional<PlacedNodes> nodes_;  ///< of the prepared scene
   SceneCounts counts_;
-  bool mirrored_ = false;          ///< of the view that is being drawn
-  std::int64_t scenes_drawn_ = 0;  ///< in all frames: tells whether drawing has drawn views inside
+  bool mirrored_ = false;  ///< of the view that is being drawn
 
   std::map<ViewKind, std::vector<Variant>> variants_;  ///< item by item
   std::uint64_t variants_version_ = 0;  ///< sum of the features' structure versions for which variants_ was computed

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <tuple>
@@ -46,17 +47,19 @@ class ScenePainter {
     int node = 0;  ///< index into Scene::nodes
     glm::mat4 model{1.0f};
     glm::mat3 normal_matrix{1.0f};
-    bool mirrored = false;  ///< whether `model` mirrors: front faces are clockwise
-    Box3 box;               ///< of the mesh: object space
+    bool mirrored = false;          ///< whether `model` mirrors: front faces are clockwise
+    Box3 box;                       ///< of the mesh: object space
+    std::optional<glm::vec4> kept;  ///< Node::kept
   };
   virtual ~ScenePainter() = default;
 
   /// Of the current view. A view with another origin (see Viewpoint) recomputes them.
   virtual std::span<const Item> items() const = 0;
 
-  /// Draws items (by index in `items()`) with the pass's program into the bound framebuffer; calls `bind` once to set
-  /// its uniforms. Sets the winding of front faces, reversed for mirrored nodes; the caller sets culling, depth test
-  /// and viewport.
+  /// Draws items (by index in `items()`) with the pass's program into the bound framebuffer; calls `bind` to set its
+  /// uniforms, once for all whole nodes and once for all that end at a plane (Node::kept; a pass with a geometry stage
+  /// draws them whole). Sets the winding of front faces, reversed for mirrored nodes; the caller sets culling, depth
+  /// test and viewport.
   virtual void paint(const PassSources& pass, std::span<const int> items, const std::function<void(Binder&)>& bind) = 0;
 
   /// Draws a view into a target of the feature's own, like `render`: a preview, the face of a cube. Call it from

@@ -220,7 +220,8 @@ std::vector<DrawConstant> passed_constants(const SurfaceKey& key, int varyings) 
   std::vector<DrawConstant> constants = {{"vec3", "u_eye_world"}};
   for (const Feature* feature : key.features)
     for (DrawConstant& constant : feature->draw_constants()) constants.push_back(std::move(constant));
-  const int taken = 4 + int(key.structure.count("TANGENTS") + key.structure.count("CLIP_PLANE"));  // with gl_Position
+  const int taken = 4 + int(key.structure.count("TANGENTS") + key.structure.count("CLIP_PLANE") +
+                            key.structure.count("KEPT"));  // with gl_Position
   return constants_that_fit(constants, key.structure, varyings / 4 * 4 - 4 * taken);
 }
 
@@ -231,7 +232,9 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
   std::string text = vertex_text + include_line(transforms_glsl);
   if (tangents)
     text += "layout(location = 3) in vec4 a_tangent;\nuniform bool u_mirrored;\nout vec4 v_tangent_world;\n";
+  const bool ends = key.structure.contains("KEPT");
   if (clips) text += "uniform vec4 u_clip_plane;\n";
+  if (ends) text += "uniform vec4 u_kept;\n";
   if (lights) text += "out vec3 v_shaded;\n" + features_text(key, lighting_slots);
   text += constants.vertex_declarations;
   text +=
@@ -248,6 +251,7 @@ std::string vertex_stage(const std::string& transforms_glsl, const SurfaceKey& k
         "  float size = length(tangent);\n"
         "  v_tangent_world = vec4(size > 0.0 ? tangent / size : vec3(0.0), u_mirrored ? -a_tangent.w : a_tangent.w);\n";
   if (clips) text += "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(v_position_world, 1.0));\n";
+  if (ends) text += "  gl_ClipDistance[1] = dot(u_kept, vec4(v_position_world, 1.0));\n";
   if (lights) text += surface_statement + lighting_statements(key) + "  v_shaded = shaded;\n";
   return text + constants.vertex_statements + "}\n";
 }

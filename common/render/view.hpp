@@ -22,13 +22,15 @@ struct View {
   // space.
   std::optional<glm::mat4> world_to_view;
   std::optional<glm::mat4> projection;
-  bool mirrored = false;  ///< world_to_view has an odd number of reflections: front faces are clockwise
+  std::optional<glm::dvec3> eye;  ///< of world_to_view, if its float matrix is not exact enough: absolute world space
+  bool mirrored = false;          ///< world_to_view has an odd number of reflections: front faces are clockwise
 
   // Bounds of the view in the target and in the world.
   std::optional<glm::ivec4> scissor;     ///< pixels: x, y of the lower left corner, width, height
   std::optional<glm::dvec4> clip_plane;  ///< absolute world space: points with dot(plane, (p, 1)) < 0 are clipped
-  int stencil_level = 0;                 ///< above 0: drawn only where the stencil buffer holds this number
-  const View* parent = nullptr;          ///< the enclosing view; null: this view has its own target
+  std::optional<glm::dvec4> openings_clip_plane;  ///< the same for the openings of views inside this one
+  int stencil_level = 0;                          ///< above 0: drawn only where the stencil buffer holds this number
+  const View* parent = nullptr;                   ///< the enclosing view; null: this view has its own target
 };
 
 /// A view with derived data for features, in the shaders' world space (relative to the eye if the view is
@@ -37,7 +39,8 @@ struct Viewpoint {
   const View& view;
   glm::mat4 world_to_view, projection;
   glm::vec3 eye;
-  glm::dvec3 origin{0};  ///< what was subtracted from the world
+  glm::dvec3 origin{0};     ///< what was subtracted from the world
+  glm::dvec3 exact_eye{0};  ///< absolute world space
 };
 
 /// The number of enclosing views.

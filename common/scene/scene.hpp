@@ -69,6 +69,17 @@ struct Node {
   std::optional<int> mesh;           ///< index into Scene::meshes; none: a group or a joint
   int material = 0;                  ///< index into Scene::materials
   bool casts_shadow = true, receives_shadow = true;
+  bool travels = false;  ///< it and its children are a body that goes through portals
+  /// If set, the node ends at a plane of the world, (n, d): only its points p with n.p + d >= 0 exist.
+  std::optional<glm::dvec4> kept;
+};
+
+/// A way through an opening, from an entry to an exit; of a mirror both are the mirror.
+struct Passage {
+  int entry = 0, exit = 0;  ///< indices into Scene::nodes
+  glm::dmat4 through{1};    ///< maps a point of the world to where it is after going through
+  glm::dmat4 entry_to_world{1}, exit_to_world{1};
+  glm::dvec2 half_size{0};  ///< of the rectangle around the opening, in the plane z = 0 of both frames, metres
 };
 
 enum class LightType { point, spot, directional };
@@ -85,6 +96,10 @@ struct Light {
   float inner_angle = 0.4f;        ///< radians from the axis: full intensity inside; 0 <= inner <= outer
   float outer_angle = 0.5f;        ///< radians from the axis: no light outside; at most pi
   bool casts_shadow = true;
+  /// If set, this is the image of a light behind an exit: it shines through the opening alone. Features make such
+  /// lights (Feature::add_lights); a scene has none.
+  std::optional<Passage> passage;
+  int image_of = -1;  ///< then the light's index in Scene::lights
 };
 
 enum class Projection { perspective, orthographic };
@@ -99,11 +114,11 @@ struct Camera {
   float near = 0.1f, far = 100;  ///< metres, 0 < near < far (near may be negative when orthographic)
 };
 
-/// An opening through which another place of the scene is seen and entered, or a mirror. The node's mesh is the opening:
-/// flat, in the plane z = 0 of the node, facing +z. Neither its node nor the exit's may scale or mirror. Whoever goes
-/// through it from its front moves along -z of the node, and comes out of the exit along the exit's +z, with the same
-/// way up: both nodes' +z face the side on which the visitor is. If its material is two-sided, it is open from behind
-/// too: there one comes out of the exit along its -z.
+/// An opening through which another place of the scene is seen and entered, or a mirror. The node's mesh is the
+/// opening: flat, in the plane z = 0 of the node, facing +z. Neither its node nor the exit's may scale or mirror.
+/// Whoever goes through it from its front moves along -z of the node, and comes out of the exit along the exit's +z,
+/// with the same way up: both nodes' +z face the side on which the visitor is. If its material is two-sided, it is open
+/// from behind too: there one comes out of the exit along its -z.
 struct Portal {
   int node = 0;             ///< index into Scene::nodes
   std::optional<int> exit;  ///< index into Scene::nodes; none: a mirror

@@ -83,6 +83,7 @@ void check_node(const Context& context, const Node& node, const Scene& scene) {
   context.require(node.rotation_angle == 0 || node.rotation_axis != glm::vec3(0),
                   "the rotation's axis is zero but its angle is not");
   context.require(!node.matrix || finite(*node.matrix), "the matrix must be finite");
+  context.require(!node.kept || finite(*node.kept), "the plane at which it ends must be finite");
   if (!node.mesh) return;
   check_index(context, "mesh", *node.mesh, scene.meshes.size());
   check_index(context, "material", node.material, scene.materials.size());

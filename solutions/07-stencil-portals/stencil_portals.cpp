@@ -165,4 +165,31 @@ glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane
   // <<< student
 }
 
+Light light_image(const Light& light, const glm::dmat4& passage) {
+  // >>> student: a point and a direction
+  Light image = light;
+  image.position = glm::dvec3(passage * glm::dvec4(light.position, 1));
+  image.direction = glm::vec3(glm::dmat3(passage) * glm::dvec3(light.direction));
+  return image;
+  // --- skeleton
+  // | return light;
+  // <<< student
+}
+
+bool stands_in(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, std::span<const glm::dvec3, 8> corners) {
+  // >>> student: in the opening's frame: on which sides of the plane, and of the rectangle, are the corners?
+  const glm::dmat4 world_to_frame = inverse_of(frame_to_world);
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::dvec3& corner : corners) {
+    const glm::dvec3 p(world_to_frame * glm::dvec4(corner, 1));
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  return low.z < 0 && high.z > 0 && low.x <= half_size.x && high.x >= -half_size.x && low.y <= half_size.y &&
+         high.y >= -half_size.y;
+  // --- skeleton
+  // | return false;
+  // <<< student
+}
+
 }  // namespace atelier::stencil_portals

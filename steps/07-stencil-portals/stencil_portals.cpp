@@ -67,4 +67,14 @@ glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane
   return projection;
 }
 
+Light light_image(const Light& light, const glm::dmat4& passage) {
+  // TODO(07-stencil-portals): a point and a direction
+  return light;
+}
+
+bool stands_in(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, std::span<const glm::dvec3, 8> corners) {
+  // TODO(07-stencil-portals): in the opening's frame: on which sides of the plane, and of the rectangle, are the corners?
+  return false;
+}
+
 }  // namespace atelier::stencil_portals

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
 #include "02-blinn-phong/given/scene_texture.hpp"
@@ -102,23 +101,30 @@ void LitSurface::configure(const Settings& settings) {
 
 /// Sorts the lights that are on by type. Lights to leave out are chosen once per scene, for all viewpoints.
 void LitSurface::choose_lights(const Scene& scene) {
-  const auto shining = std::min(lights_.all.size(), std::size_t(light_limit_));
-  const std::vector<Light> lights(lights_.all.begin(), lights_.all.begin() + std::ptrdiff_t(shining));
-  std::vector<int> kept(shining);
-  std::iota(kept.begin(), kept.end(), 0);
+  std::vector<int> shining;
+  std::vector<Light> lights;
+  for (int i = 0; i < int(lights_.all.size()); ++i) {
+    const Light& light = lights_.light(i);
+    if ((light.passage ? light.image_of : i) >= light_limit_) continue;
+    shining.push_back(i);
+    lights.push_back(light);
+  }
+  std::vector<int> kept = shining;
   if (cull_lights_) {
     const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
-    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene));
+    kept.clear();
+    for (const int i : lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene)))
+      kept.push_back(shining[std::size_t(i)]);
   }
   for (auto* list : {&lights_.points, &lights_.spots, &lights_.directional}) list->clear();
   for (const int i : kept) {
-    const LightType type = lights[std::size_t(i)].type;
+    const LightType type = lights_.light(i).type;
     (type == LightType::point  ? lights_.points
      : type == LightType::spot ? lights_.spots
                                : lights_.directional)
         .push_back(i);
   }
-  lights_left_out_ = int(shining - kept.size());
+  lights_left_out_ = int(shining.size() - kept.size());
 }
 
 void LitSurface::count(SceneCounts& counts) const {

@@ -91,6 +91,7 @@ std::optional<LightFrustum> ShadowedSurface::fit_to_spot(const Light& light, con
 std::optional<LightFrustum> ShadowedSurface::frustum_of(int light, const glm::vec3& position,
                                                         const Extents& extents) const {
   const Light& source = lights_.light(light);
+  if (source.passage) return frustum_through(source, -glm::dvec3(extents.origin), extents.all);
   if (source.type == LightType::directional) return fit_to_directional(source, extents);
   if (source.type == LightType::spot) return fit_to_spot(source, position, extents);
   const auto found = points_.find(light);
@@ -102,22 +103,38 @@ std::optional<MappedLight> ShadowedSurface::map_for(const Scene& scene, int ligh
   const Light& source = lights_.light(light);
   if (!source.casts_shadow || extents.casters.empty()) return {};
   const glm::vec3 position(source.position - viewpoint.origin);
-  if (source.type == LightType::spot && shines_past(source, position, *sphere_around(extents.casters))) return {};
+  if (source.type == LightType::spot && !source.passage &&
+      shines_past(source, position, *sphere_around(extents.casters)))
+    return {};
   const auto frustum = frustum_of(light, position, extents);
   if (!frustum) return {};
   MappedLight map{.light = light, .frustum = *frustum};
   map.view = light_view(map.frustum);
   map.projection = light_projection(map.frustum);
+  if (source.passage) map.passage = moved_passage(*source.passage, viewpoint.origin);
+  find_casters(scene, painter, extents, map);
+  if (map.casters.empty() && map.carried.empty()) return {};
+  return map;
+}
+
+/// Those that the light's frustum contains.
+void ShadowedSurface::find_casters(const Scene& scene, const ScenePainter& painter, const Extents& extents,
+                                   MappedLight& map) const {
   // Casters in front of the near plane also cast shadows: cull with the other five planes only.
   LightFrustum deep = map.frustum;
   deep.near = deep.orthographic ? std::min(deep.near, nearest_depth(extents.casters, deep)) : deep.far / 1e5f;
   const glm::mat4 reach = light_projection(deep);
+  const std::optional<Passage>& passage = lights_.light(map.light).passage;
   for (int i = 0; i < int(painter.items().size()); ++i) {
     const ScenePainter::Item& item = painter.items()[std::size_t(i)];
-    if (casts(scene, item) && !outside_view(reach, map.view, item.model, item.box)) map.casters.push_back(i);
+    if (!casts(scene, item)) continue;
+    const bool exit = passage && item.node == passage->exit, entry = passage && item.node == passage->entry;
+    if (!exit && !outside_view(reach, map.view, item.model, item.box)) map.casters.push_back(i);
+    if (!passage || entry) continue;
+    // A box has no near plane that all casters before the entry are behind: keep them all.
+    if (deep.orthographic || !outside_view(reach, map.view * map.passage->through, item.model, item.box))
+      map.carried.push_back(i);
   }
-  if (map.casters.empty()) return {};
-  return map;
 }
 
 void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, const ScenePainter& painter) {
@@ -129,7 +146,7 @@ void ShadowedSurface::find_maps(const Scene& scene, const Viewpoint& viewpoint, 
   for (std::size_t i = 0; i < found.size() && i < frame_.maps.size(); ++i)
     found[i].drawn = frame_.maps[i].drawn && found[i].light == frame_.maps[i].light &&
                      found[i].view == frame_.maps[i].view && found[i].projection == frame_.maps[i].projection &&
-                     found[i].casters == frame_.maps[i].casters;
+                     found[i].casters == frame_.maps[i].casters && found[i].carried == frame_.maps[i].carried;
   frame_.maps = std::move(found);
   found_ = true;
 }
@@ -168,6 +185,47 @@ glm::ivec4 ShadowedSurface::texels_to_draw(const MappedLight& map) const {
   return texels_of(*frame_.visible_receivers, map.world_to_map(), settings_.resolution, filter + aside);
 }
 
+namespace {
+
+/// The depth pass, of whole nodes or of what is on the positive side of a plane.
+const PassSources& depth_pass(bool clipped) {
+  static const auto make = [](const char* clip) {
+    return PassSources{.name = "depth pass",
+                       .vertex = std::string("uniform mat4 u_light_view, u_light_projection;\n"
+                                             "uniform vec4 u_clip_plane;\n"
+                                             "#include \"03-shadow-mapping/depth_pass.glsl\"\n"
+                                             "void main() {\n"
+                                             "  gl_Position = depth_pass_position(a_position);\n") +
+                                 clip + "}\n",
+                       .fragment = "void main() {}\n"};
+  };
+  static const PassSources whole = make(""),
+                           part = make(
+                               "  gl_ClipDistance[0] =\n"
+                               "      dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n");
+  return clipped ? part : whole;
+}
+
+}  // namespace
+
+void ShadowedSurface::paint_casters(Gl& gl, const MappedLight& map, ScenePainter& painter) const {
+  const auto paint = [&](const std::vector<int>& casters, const glm::mat4& view, const glm::vec4* plane) {
+    painter.paint(depth_pass(plane), casters, [&](Binder& binder) {
+      binder.set("u_light_view", view);
+      binder.set("u_light_projection", map.projection);
+      if (plane) binder.set("u_clip_plane", *plane);
+    });
+  };
+  if (!map.passage) return paint(map.casters, map.view, nullptr);
+  const MovedPassage& passage = *map.passage;
+  gl.Enable(GL_CLIP_DISTANCE0);
+  paint(map.casters, map.view, &passage.exit_plane);
+  const bool mirrors = glm::determinant(glm::mat3(passage.through)) < 0;
+  if (mirrors && settings_.culls_front_faces()) gl.CullFace(GL_BACK);
+  paint(map.carried, map.view * passage.through, &passage.entry_plane);
+  gl.Disable(GL_CLIP_DISTANCE0);
+}
+
 void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
   MappedLight& map = frame_.maps[std::size_t(layer)];
   const DebugGroup group(gl, name_of(lights_, map.light, "shadow map"));
@@ -177,16 +235,7 @@ void ShadowedSurface::draw_map(Gl& gl, int layer, ScenePainter& painter) {
     gl.Scissor(part.x, part.y, part.z, part.w);
   }
   begin_depth_pass(gl, names_, layer, settings_.culls_front_faces());
-  static const PassSources pass{.name = "depth pass",
-                                .vertex =
-                                    "uniform mat4 u_light_view, u_light_projection;\n"
-                                    "#include \"03-shadow-mapping/depth_pass.glsl\"\n"
-                                    "void main() { gl_Position = depth_pass_position(a_position); }\n",
-                                .fragment = "void main() {}\n"};
-  painter.paint(pass, map.casters, [&](Binder& binder) {
-    binder.set("u_light_view", map.view);
-    binder.set("u_light_projection", map.projection);
-  });
+  paint_casters(gl, map, painter);
   gl.Disable(GL_SCISSOR_TEST);
   check_gl_error(gl, "drawing a shadow map");
   map.drawn = !frame_.visible_receivers;

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "02-blinn-phong/given/lit_surface.hpp"
+#include "03-shadow-mapping/given/light_image.hpp"
 #include "03-shadow-mapping/given/map_picture.hpp"
 #include "03-shadow-mapping/given/shadow_fit.hpp"
 #include "03-shadow-mapping/given/shadow_settings.hpp"
@@ -32,7 +33,10 @@ struct MappedLight {
   glm::mat4 view{1.0f}, projection{1.0f};
   glm::mat4 world_to_map() const { return shadow_mapping::bias_matrix() * projection * view; }
   std::vector<int> casters;  ///< the painter's items in its frustum
-  bool drawn = false;        ///< whether the layer is up to date
+  /// Of the image of a light: the casters before the entry, which are seen through the opening.
+  std::vector<int> carried;
+  std::optional<MovedPassage> passage;
+  bool drawn = false;  ///< whether the layer is up to date
 };
 
 /// The maps of a frame, for other features.
@@ -54,6 +58,7 @@ class ShadowedSurface : public Feature {
   void moved(const Scene& scene) override;
   void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
   void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  bool may_draw_instead(const View& view) const override { return view.output == "shadow_map"; }
   bool draw_instead(Gl& gl, const View& view, const Target& target) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;
@@ -75,7 +80,9 @@ class ShadowedSurface : public Feature {
                                                           const Extents& extents) const;
   shadow_mapping::Sphere covered(const Extents& extents) const;
   std::optional<shadow_mapping::LightFrustum> fit_to_directional(const Light& light, const Extents& extents) const;
+  void find_casters(const Scene& scene, const ScenePainter& painter, const Extents& extents, MappedLight& map) const;
   void allocate(Gl& gl);
+  void paint_casters(Gl& gl, const MappedLight& map, ScenePainter& painter) const;
   void draw_map(Gl& gl, int layer, ScenePainter& painter);
   glm::ivec4 texels_to_draw(const MappedLight& map) const;
   bool directional_projections_are_affine() const;

@@ -80,12 +80,16 @@ void show_map_or_coordinate(SceneTruth& truth, const TruthRequest& request, cons
 
 }  // namespace
 
+void use_shadows(oracle::Shading& shading, const Settings& settings) {
+  shading.light_width = settings.real("light.width");
+  shading.light_samples = points_a_side;
+  shading.shadows = shading.light_width > 0 ? oracle::Shadows::soft : oracle::Shadows::hard;
+}
+
 SceneTruth shadow_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   if (!model) model = make_scene(shadow_scenes(), request.scene, settings);
   SceneTruth truth = blinn_phong_truth(request, settings, std::move(model));
-  truth.shading.light_width = settings.real("light.width");
-  truth.shading.light_samples = points_a_side;
-  truth.shading.shadows = truth.shading.light_width > 0 ? oracle::Shadows::soft : oracle::Shadows::hard;
+  use_shadows(truth.shading, settings);
   if (request.output == "shadow_factor") show_factor(truth, shown_light(truth.scene, settings));
   if (request.output == "shadow_coordinate" || request.output == "shadow_map")
     show_map_or_coordinate(truth, request, settings);

@@ -51,7 +51,7 @@ void LightCones::draw_before(Gl&, const Scene& scene, const Viewpoint& viewpoint
   const std::vector<shadow_mapping::Sphere> spheres = caster_spheres(scene, painter.items());
   for (const int light : lights_.points) {
     const Light& source = lights_.light(light);
-    if (!source.casts_shadow || spheres.empty()) continue;
+    if (!source.casts_shadow || source.passage || spheres.empty()) continue;
     if (const auto frustum = frustum_around(glm::vec3(source.position - viewpoint.origin), spheres))
       frusta_.emplace(light, *frustum);
   }

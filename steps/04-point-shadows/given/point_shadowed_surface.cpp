@@ -72,7 +72,7 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
                                                                           const Viewpoint& viewpoint,
                                                                           const ScenePainter& painter) const {
   const Light& source = lights_.light(light);
-  if (!source.casts_shadow || maps_.layer_of(light) >= 0) return {};
+  if (!source.casts_shadow || source.passage || maps_.layer_of(light) >= 0) return {};
   Cubed cube{.light = light, .position = glm::vec3(source.position - viewpoint.origin)};
   double far = 0;
   for (int i = 0; i < int(painter.items().size()); ++i) {
@@ -175,7 +175,9 @@ void PointShadowedSurface::draw_cube(Gl& gl, std::size_t index, ScenePainter& pa
     binder.set("u_far", cube.far);
   };
   begin_cube_pass(gl, names, -1, settings_.culls_front_faces());
-  if (layered_) {
+  const bool ends =
+      std::ranges::any_of(cube.casters, [&](int i) { return painter.items()[std::size_t(i)].kept.has_value(); });
+  if (layered_ && !ends) {  // a geometry shader would draw beyond the planes at which nodes end
     painter.paint(all_at_once, cube.casters, [&](Binder& binder) {
       bind_light(binder);
       for (std::size_t face = 0; face < 6; ++face) {

@@ -21,6 +21,7 @@ class PointShadowedSurface : public Feature {
   void moved(const Scene& scene) override;
   void draw_views(Gl&, const Scene&, const Viewpoint&, ScenePainter&) override { shown_ = false; }
   void draw_before(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  bool may_draw_instead(const View& view) const override { return view.output == "shadow_map"; }
   bool draw_instead(Gl& gl, const View& view, const Target& target) override;
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   std::map<Slot, SlotCode> slots() const override;

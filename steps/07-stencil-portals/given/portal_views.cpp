@@ -1,8 +1,9 @@
 #include "07-stencil-portals/given/portal_views.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 
 #include "07-stencil-portals/stencil_portals.hpp"
 #include "render/bind_viewpoint.hpp"
@@ -40,12 +41,10 @@ std::vector<SettingSpec> portal_settings() {
 
 namespace {
 
+constexpr int most_views = 10000;  ///< of a picture: some seconds
+
 double distance(const glm::dvec4& plane, const glm::dvec3& point) {
   return glm::dot(plane, glm::dvec4(point, 1));
-}
-
-glm::dvec3 eye_of(const Viewpoint& view) {
-  return glm::dvec3(glm::inverse(glm::dmat4(view.world_to_view))[3]) + view.origin;
 }
 
 }  // namespace
@@ -62,43 +61,15 @@ void PortalViews::configure(const Settings& settings) {
 }
 
 void PortalViews::prepare(Gl&, const Scene& scene) {
-  place(scene);
+  openings_ = openings_of(scene);
 }
 
 void PortalViews::moved(const Scene& scene) {
-  place(scene);
-}
-
-void PortalViews::place(const Scene& scene) {
-  openings_.clear();
-  if (scene.portals.empty()) return;
-  const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
-  for (const Portal& portal : scene.portals) {
-    const Node& node = scene.nodes[std::size_t(portal.node)];
-    Opening opening{.node = portal.node, .frame = world[std::size_t(portal.node)], .mirror = !portal.exit};
-    opening.exit = world[std::size_t(portal.exit.value_or(portal.node))];
-    opening.passage = portal.exit ? portal_passage(opening.frame, opening.exit) : mirror_passage(opening.frame);
-    opening.two_sided = scene.materials[std::size_t(node.material)].two_sided;
-    opening.colour = portal.colour;
-    opening.low = glm::dvec2(std::numeric_limits<double>::infinity());
-    opening.high = -opening.low;
-    for (const Vertex& vertex : scene.meshes[std::size_t(*node.mesh)].vertices) {
-      opening.low = glm::min(opening.low, glm::dvec2(vertex.position));
-      opening.high = glm::max(opening.high, glm::dvec2(vertex.position));
-    }
-    openings_.push_back(opening);
-  }
+  openings_ = openings_of(scene);
 }
 
 bool PortalViews::hides(const Scene& scene, const View&, const Node& node) const {
   return std::ranges::any_of(openings_, [&](const Opening& o) { return &scene.nodes[std::size_t(o.node)] == &node; });
-}
-
-/// Of its bounds, counter-clockwise, in the world.
-std::vector<glm::dvec4> PortalViews::corners_of(const Opening& opening) const {
-  const auto corner = [&](double x, double y) { return opening.frame * glm::dvec4(x, y, 0, 1); };
-  const glm::dvec2 &low = opening.low, &high = opening.high;
-  return {corner(low.x, low.y), corner(high.x, low.y), corner(high.x, high.y), corner(low.x, high.y)};
 }
 
 std::optional<glm::ivec4> PortalViews::rectangle_of(const Opening& opening, const Viewpoint& around,
@@ -108,7 +79,7 @@ std::optional<glm::ivec4> PortalViews::rectangle_of(const Opening& opening, cons
   if (!scissor_) return bounds;
   const glm::mat4 to_clip = around.projection * around.world_to_view;
   std::vector<glm::vec4> corners;
-  for (const glm::dvec4& corner : corners_of(opening))
+  for (const glm::dvec4& corner : opening.corners())
     corners.push_back(to_clip * glm::vec4(glm::dvec3(corner) - around.origin, 1));
   return opening_rectangle(corners, size, bounds);
 }
@@ -122,9 +93,11 @@ View PortalViews::view_through(const Opening& opening, const Viewpoint& around, 
   view.mirrored = around.view.mirrored != opening.mirror;
   view.clip_plane.reset();
   view.projection.reset();
-  const glm::dvec3 eye(opening.passage * glm::dvec4(eye_of(around), 1));
+  view.openings_clip_plane.reset();
+  if (clip_ != Clip::none) view.openings_clip_plane = plane;
+  view.eye = glm::dvec3(opening.passage * glm::dvec4(around.exact_eye, 1));
   // At the plane itself an oblique near plane leaves no depths: there clip distances take its place.
-  const bool at_plane = -distance(plane, eye) < around.view.camera.near;
+  const bool at_plane = -distance(plane, *view.eye) < around.view.camera.near;
   if (clip_ == Clip::distance || (clip_ == Clip::oblique && at_plane)) {
     view.clip_plane = plane;
   } else if (clip_ == Clip::oblique) {
@@ -136,10 +109,10 @@ View PortalViews::view_through(const Opening& opening, const Viewpoint& around, 
 
 void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, const Target& target, int item,
                                ScenePainter& painter) {
-  const bool from_behind = distance(opening_plane(opening.frame, false), eye_of(around)) < 0;
-  if (from_behind && !opening.two_sided) return;
+  const bool behind = distance(opening_plane(opening.frame, false), around.exact_eye) < 0;
+  if (behind && !opening.two_sided) return;
   // Not seen where all of it stands before the exit of the view that is being drawn.
-  if (!planes_.empty() && std::ranges::all_of(corners_of(opening), [&](const glm::dvec4& corner) {
+  if (!planes_.empty() && std::ranges::all_of(opening.corners(), [&](const glm::dvec4& corner) {
         return glm::dot(planes_.back(), corner) <= 0;
       }))
     return;
@@ -149,7 +122,12 @@ void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, 
     painter.fill_opening(around, target, item, around.view.output == "colour" ? opening.colour : glm::vec3(0));
     return;
   }
-  const glm::dvec4 plane = opening_plane(opening.exit, from_behind);
+  if (++views_ > most_views)
+    throw Error(
+        fmt::format("portals.depth={} needs more than {} views in this picture; lower it, raise "
+                    "portals.smallest, or set portals.scissor=on",
+                    deepest_, most_views));
+  const glm::dvec4 plane = opening_plane(opening.exit, behind);
   View view = view_through(opening, around, plane);
   view.scissor = *rectangle;
   planes_.push_back(plane);
@@ -160,6 +138,7 @@ void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, 
 void PortalViews::draw_inside(Gl&, const Scene&, const Viewpoint& around, const Target& target, ScenePainter& painter) {
   if (!around.view.parent) {
     planes_.clear();
+    views_ = 0;
     projection_ = around.projection;
   }
   for (const Opening& opening : openings_)
@@ -167,8 +146,8 @@ void PortalViews::draw_inside(Gl&, const Scene&, const Viewpoint& around, const 
       if (painter.items()[std::size_t(item)].node == opening.node) draw_opening(opening, around, target, item, painter);
 }
 
-Need PortalViews::need(const Scene& scene, const View&, const Node&) const {
-  return {.wanted = clip_ == Clip::discard && !scene.portals.empty()};
+Need PortalViews::need(const Scene&, const View& view, const Node&) const {
+  return {.wanted = clip_ == Clip::discard && view.parent};
 }
 
 std::map<Slot, SlotCode> PortalViews::slots() const {
@@ -176,9 +155,7 @@ std::map<Slot, SlotCode> PortalViews::slots() const {
 }
 
 void PortalViews::bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) {
-  // Outside of all openings nothing is cut away.
-  const bool outside = planes_.empty() || !viewpoint.view.parent;
-  binder.set("u_opening_plane", outside ? glm::vec4(0, 0, 0, 1) : moved_plane(planes_.back(), viewpoint.origin));
+  binder.set("u_opening_plane", moved_plane(planes_.back(), viewpoint.origin));
 }
 
 }  // namespace atelier

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "07-stencil-portals/given/openings.hpp"
 #include "case/settings.hpp"
 #include "render/feature.hpp"
 
@@ -27,18 +29,6 @@ class PortalViews : public Feature {
 
  private:
   enum class Clip { none, discard, distance, oblique };
-  /// A portal or mirror as it stands in the world.
-  struct Opening {
-    int node = 0;
-    glm::dmat4 frame{1}, passage{1};  ///< to world; from the world to the world
-    glm::dmat4 exit{1};               ///< the exit's frame, or a mirror's own
-    glm::dvec2 low{0}, high{0};       ///< of the mesh, in the frame
-    bool mirror = false, two_sided = false;
-    glm::vec3 colour{0};
-  };
-
-  void place(const Scene& scene);
-  std::vector<glm::dvec4> corners_of(const Opening& opening) const;
   std::optional<glm::ivec4> rectangle_of(const Opening& opening, const Viewpoint& around, const Target& target) const;
   /// `plane` is the exit's: what stands before it is clipped.
   View view_through(const Opening& opening, const Viewpoint& around, const glm::dvec4& plane) const;
@@ -46,6 +36,7 @@ class PortalViews : public Feature {
                     ScenePainter& painter);
 
   int deepest_ = 4, smallest_ = 1;
+  int views_ = 0;  ///< inside the frame that is being drawn
   bool scissor_ = true;
   Clip clip_ = Clip::distance;
   std::vector<Opening> openings_;

@@ -1,7 +1,8 @@
 #include "07-stencil-portals/given/scenes.hpp"
 
-#include <array>
-
+#include "07-stencil-portals/given/bodies.hpp"
+#include "07-stencil-portals/given/scene_parts.hpp"
+#include "07-stencil-portals/given/scenes_through.hpp"
 #include "scene/builder.hpp"
 #include "scene/relief.hpp"
 #include "scene/shapes.hpp"
@@ -10,81 +11,6 @@
 namespace atelier {
 
 namespace {
-
-/// A frame that stands at `at`, turned by quarter turns about y: exact in floats.
-Node quarter_turned(const char* name, const glm::dvec3& at, int quarters) {
-  constexpr std::array<float, 4> cosines{1, 0, -1, 0}, sines{0, 1, 0, -1};
-  const float c = cosines[std::size_t(quarters % 4)], s = sines[std::size_t(quarters % 4)];
-  return {.name = name,
-          .matrix = glm::mat4(c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, float(at.x), float(at.y), float(at.z), 1)};
-}
-
-/// A rectangle in the plane z = 0, facing +z, around the origin.
-Mesh opening_mesh(float width, float height) {
-  const auto corner = [&](float x, float y) {
-    return Vertex{{x * width, y * height, 0}, {0, 0, 1}, {x + 0.5f, y + 0.5f}};
-  };
-  return {.name = "opening",
-          .vertices = {corner(-0.5f, -0.5f), corner(0.5f, -0.5f), corner(0.5f, 0.5f), corner(-0.5f, 0.5f)},
-          .indices = {0, 1, 2, 0, 2, 3}};
-}
-
-constexpr float door_width = 1.5, door_height = 2.25;  // metres
-
-/// Four bars around an opening, as children of its node; the opening stays free.
-void add_bars(Scene& scene, int parent, int material, float width, float height) {
-  constexpr float thick = 0.125f;
-  const auto bar = [&](float w, float h, float x, float y) {
-    Node node{.name = "bar", .parent = parent, .translation = {x, y, 0}};
-    add_object(scene, make_box({.size = {w, h, thick}}), material, node);
-  };
-  const float x = (width + thick) / 2, y = (height + thick) / 2;
-  bar(thick, height + 2 * thick, -x, 0);
-  bar(thick, height + 2 * thick, x, 0);
-  bar(width, thick, 0, y);
-  bar(width, thick, 0, -y);
-}
-
-struct Look {
-  int opening = 0;  ///< material
-  int frame = 0;
-};
-
-Look add_look(Scene& scene, const glm::vec3& colour) {
-  return {add_material(scene, {.name = "opening"}), add_material(scene, plastic("frame", colour, 40))};
-}
-
-/// A door: an opening in bars. Returns its node.
-int add_door(Scene& scene, Node node, const Look& look, float width = door_width, float height = door_height) {
-  node.casts_shadow = false;
-  const int door = add_object(scene, opening_mesh(width, height), look.opening, std::move(node));
-  add_bars(scene, door, look.frame, width, height);
-  return door;
-}
-
-/// Two doors that lead to each other.
-void join(Scene& scene, int a, int b, const glm::vec3& colour) {
-  scene.portals.push_back({.node = a, .exit = b, .colour = colour});
-  scene.portals.push_back({.node = b, .exit = a, .colour = colour});
-}
-
-/// A room whose floor is at y = 0, around (x, z): walls that show their insides, and a floor with a pattern.
-void add_room(Scene& scene, double x, double z, const glm::vec3& size, int walls, int floor) {
-  add_object(scene, make_box({.size = size, .side = Side::inside}), walls,
-             {.name = "room", .translation = {x, size.y / 2, z}});
-  add_object(scene, make_plane({.width = size.x, .depth = size.z, .repeat = {size.x / 2, size.z / 2}}), floor,
-             {.name = "floor", .translation = {x, 1.0 / 1024, z}});
-}
-
-int checkered(Scene& scene, const char* name, const Rgba& first, const Rgba& second) {
-  const int texture = add_texture(
-      scene, name, make_checker({.size = 64, .squares = 2, .first = first, .second = second}), Filter::linear);
-  return add_material(scene, {.name = name, .diffuse_texture = texture});
-}
-
-void add_lamp(Scene& scene, const glm::dvec3& at, const glm::vec3& colour) {
-  add_light(scene, {.type = LightType::point, .position = at, .colour = colour});
-}
 
 /// A warm room and a cool one, 40 m apart, joined by two doors. In the cool room a column stands behind the door,
 /// between its plane and the virtual camera: it must not be seen.
@@ -166,7 +92,10 @@ Scene rolled() {
              {.name = "red box", .translation = {60, 0.8, -2.5}, .rotation_angle = degrees(20)});
   add_object(scene, make_sphere({.radius = 0.6f}), white, {.name = "ball", .translation = {59.2, 0.6, -2.2}});
   add_object(scene, make_cone({.radius = 0.5f, .height = 1.2f}), red, {.name = "cone", .translation = {1.6, 0, -2}});
-  add_light(scene, {.type = LightType::directional, .direction = {0.4f, -0.8f, -0.4f}, .colour = glm::vec3(0.8f)});
+  add_light(scene, {.type = LightType::directional,
+                    .direction = {0.4f, -0.8f, -0.4f},
+                    .colour = glm::vec3(0.8f),
+                    .casts_shadow = false});
   scene.camera = {.eye = {0.6, 1.7, 3}, .target = {-0.2, 1.2, -1.1}, .fov_y = degrees(55), .near = 0.1f, .far = 100};
   return scene;
 }
@@ -236,12 +165,39 @@ Scene alley() {
 
 }  // namespace
 
-const SceneTable& portal_scenes() {
-  static const SceneTable scenes = {
-      {"rooms", [](const Settings&) { return rooms(); }},   {"corridor", [](const Settings&) { return corridor(); }},
-      {"rolled", [](const Settings&) { return rolled(); }}, {"mirror", [](const Settings&) { return mirror(); }},
-      {"alley", [](const Settings&) { return alley(); }},   builtin_scene("room"),
+std::vector<SettingSpec> portal_scene_settings() {
+  return {
+      {.name = "body.way",
+       .fallback = 0.5,
+       .low = 0,
+       .high = 1,
+       .help = "how far the body of the scene 'astride' has gone through the door: half of it at 0.5"},
+      {.name = "particles.count", .fallback = 160, .low = 0, .high = 500, .help = "of the scene 'swirl'"},
+      {.name = "particles.time", .fallback = 0.0, .low = 0, .high = 1, .help = "of the scene 'swirl': 1 is as 0 again"},
   };
+}
+
+const SceneTable& whole_portal_scenes() {
+  static const SceneTable scenes = {
+      {"rooms", [](const Settings&) { return rooms(); }},
+      {"corridor", [](const Settings&) { return corridor(); }},
+      {"rolled", [](const Settings&) { return rolled(); }},
+      {"mirror", [](const Settings&) { return mirror(); }},
+      {"alley", [](const Settings&) { return alley(); }},
+      {"lamp", [](const Settings&) { return make_lamp_scene(); }},
+      {"astride", [](const Settings& settings) { return make_astride_scene(settings.real("body.way")); }},
+      {"swirl",
+       [](const Settings& settings) {
+         return make_swirl_scene(settings.integer("particles.count"), settings.real("particles.time"));
+       }},
+      builtin_scene("room"),
+  };
+  return scenes;
+}
+
+const SceneTable& portal_scenes() {
+  static const SceneTable scenes =
+      adjusted(whole_portal_scenes(), [](Scene& scene, const Settings&) { split_bodies(scene); });
   return scenes;
 }
 

@@ -1,6 +1,8 @@
 #include "07-stencil-portals/given/truth.hpp"
 
+#include "03-shadow-mapping/given/truth.hpp"
 #include "05-normal-mapping/given/truth.hpp"
+#include "07-stencil-portals/given/bodies_truth.hpp"
 #include "07-stencil-portals/given/scenes.hpp"
 #include "app/picture.hpp"
 #include "oracle/portal.hpp"
@@ -31,9 +33,14 @@ Camera after_walk(const Scene& scene, Camera camera, const glm::dvec3& way) {
 }  // namespace
 
 SceneTruth portal_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
-  if (!model) model = make_scene(portal_scenes(), request.scene, settings);
+  if (!model) {
+    model = make_scene(whole_portal_scenes(), request.scene, settings);
+    split_bodies_exactly(*model);
+  }
   SceneTruth truth = normal_mapping_truth(request, settings, std::move(model));
+  use_shadows(truth.shading, settings);
   truth.shading.portal_depth = settings.integer("portals.depth");
+  truth.shading.portal_lights = settings.flag("portals.lights");
   const glm::dvec3 way = walk_of(truth.scene) * settings.real("visitor.way");
   if (way != glm::dvec3(0)) truth.camera = after_walk(truth.scene, apply(request.camera, truth.scene.camera), way);
   return truth;

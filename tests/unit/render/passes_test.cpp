@@ -41,6 +41,7 @@ struct DepthPiece : Piece {
     gl.Enable(GL_DEPTH_CLAMP);
     gl.Viewport(0, 0, 1, 1);
   }
+  bool may_draw_instead(const View& view) const override { return instead && view.output == "colour"; }
   bool draw_instead(Gl& gl, const View& view, const Target&) override {
     if (!instead || view.output != "colour") return false;
     gl.ClearColor(1, 0.5f, 0, 1);
