@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <exception>
 #include <map>
 #include <mutex>
@@ -34,22 +34,10 @@ struct Sight {
   const Portals::Opening* closed = nullptr;  ///< the point's: no ray goes through it
 };
 
-/// The first opening of a ray before its interval: the near plane cuts off surfaces, but no openings, or a visitor who
-/// goes through one would see behind it.
-std::optional<SurfacePoint> nearer_opening(const World& world, const Portals& portals, const Ray& ray) {
-  if (world.scene().portals.empty()) return {};
-  Ray before{.origin = ray.origin, .direction = ray.direction, .least = 0, .most = ray.least};
-  while (const std::optional<SurfacePoint> point = world.seen(before)) {
-    if (portals.at(*point)) return point;
-    before.least = std::nextafter(point->t, ray.least);
-    if (before.least >= before.most) break;
-  }
-  return {};
-}
-
-Sight look(const World& world, const Portals& portals, const PictureRequest& request, Ray ray, const glm::dvec3& eye) {
-  Sight sight{.point = nearer_opening(world, portals, ray), .eye = eye};
-  if (!sight.point) sight.point = world.seen(ray);
+Sight look(const World& world, const Portals& portals, const PictureRequest& request, const Ray& ray,
+           const glm::dvec3& eye) {
+  Segment segment{.ray = ray, .start = std::min(0.0, ray.least)};
+  Sight sight{.point = first_seen(world, portals, segment), .eye = eye};
   for (int passed = 0; sight.point; ++passed) {
     const Portals::Opening* opening = portals.at(*sight.point);
     if (!opening) break;
@@ -57,9 +45,9 @@ Sight look(const World& world, const Portals& portals, const PictureRequest& req
       sight.closed = opening;
       break;
     }
-    ray = beyond(*opening, ray, sight.point->t);
+    segment = beyond(*opening, segment, sight.point->t);
     sight.eye = glm::dvec3(opening->through * glm::dvec4(sight.eye, 1));
-    sight.point = world.seen(ray);
+    sight.point = first_seen(world, portals, segment);
   }
   return sight;
 }

@@ -19,6 +19,7 @@ class Portals {
   struct Opening {
     glm::dvec3 colour{0};   ///< what it shows where no ray goes through it
     glm::dmat4 through{1};  ///< from where a visitor is to where they come out: world space
+    int exit = 0;           ///< the exit's node; a mirror's own
   };
   /// The opening that a point lies on, or null.
   const Opening* at(const SurfacePoint& point) const;
@@ -27,7 +28,23 @@ class Portals {
   std::vector<std::optional<Opening>> by_node_;
 };
 
-/// The rest of a ray after an opening that it has met at t: it goes on from there, where its interval allows.
-Ray beyond(const Portals::Opening& opening, const Ray& ray, double t);
+/// A ray from the eye, or from the last opening that it has gone through, to the next one.
+struct Segment {
+  Ray ray;                  ///< t runs on from segment to segment; surfaces are seen in the ray's interval
+  double start = 0;         ///< t at the eye or at the last opening, at most ray.least: openings are met from here on
+  std::optional<int> exit;  ///< the node that it has come out of. An opening on this node is in the plane in which the
+                            ///< segment starts, and is not met again: not by rounding either
+};
+
+/// The first opening at start <= t < end, whatever surfaces stand before it. Only a two-sided one is met from behind.
+std::optional<SurfacePoint> first_opening(const World& world, const Portals& portals, const Segment& segment,
+                                          double end);
+
+/// The first point that is seen: a surface in the ray's interval, or an opening, from the start on. So the near plane
+/// cuts off surfaces, but no openings, or a visitor who goes through one would see behind it.
+std::optional<SurfacePoint> first_seen(const World& world, const Portals& portals, const Segment& segment);
+
+/// The segment after an opening that is met at t.
+Segment beyond(const Portals::Opening& opening, const Segment& segment, double t);
 
 }  // namespace atelier::oracle
