@@ -40,8 +40,8 @@ struct PictureRequest {
   std::function<void(double)> progress;  ///< called occasionally on the calling thread with the fraction done, 0..1
 };
 
-/// Traces a picture, row 0 on top, opacity 1. Each pixel is the mean of its samples. Throws Error if size, samples or
-/// soft shadows are out of range, and what `shading.surface` or `progress` throws.
+/// Traces a picture, row 0 on top, opacity 1. Each pixel is the mean of its samples. Throws Error if size, samples,
+/// portal depth or soft shadows are out of range, and what `shading.surface` or `progress` throws.
 Image trace(const World& world, const PictureRequest& request);
 
 }  // namespace atelier::oracle

@@ -44,7 +44,7 @@ struct Shading {
   SurfaceColour surface;       ///< if set, replaces all of the above
 };
 
-/// Throws Error if the width or the number of samples of soft shadows is out of range.
+/// Throws Error if the portal depth, or the width or the number of samples of soft shadows is out of range.
 void validate(const Shading& shading);
 
 }  // namespace atelier::oracle

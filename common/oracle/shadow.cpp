@@ -14,6 +14,7 @@ namespace atelier::oracle {
 
 namespace {
 
+constexpr int most_portals = 255;
 constexpr int most_samples = 256;
 constexpr double widest = 1e6;
 constexpr double off_surface = 1e-12;  ///< relative to the lengths involved: a thousand rounding errors
@@ -160,6 +161,8 @@ class SeenCells {
 }  // namespace
 
 void validate(const Shading& shading) {
+  if (shading.portal_depth < 0 || shading.portal_depth > most_portals)
+    throw Error(fmt::format("{} portals one after another (allowed: 0 to {})", shading.portal_depth, most_portals));
   if (shading.shadows != Shadows::soft) return;
   if (shading.portal_lights && shading.light_width > 0)
     throw Error("soft shadows of light that goes through portals have no ground truth");

@@ -123,6 +123,14 @@ TEST_CASE("a two-sided portal is open from both sides, near and far from the ori
       }
 }
 
+TEST_CASE("a depth of portals out of range is refused", "[portal]") {
+  const auto words = [](int depth) { return error_of([&] { middle(two_places(), oracle::Output::thing, depth); }); };
+  CHECK(words(0).empty());
+  CHECK(words(255).empty());
+  CHECK(mentions(words(-1), {"-1 portals", "0 to 255"}));
+  CHECK(mentions(words(256), {"256 portals", "0 to 255"}));
+}
+
 TEST_CASE("a mirror shows what stands before it, the other way round", "[portal]") {
   Scene scene = two_places();
   scene.portals = {{.node = 0}};
