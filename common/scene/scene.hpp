@@ -115,10 +115,11 @@ struct Camera {
 };
 
 /// An opening through which another place of the scene is seen and entered, or a mirror. The node's mesh is the
-/// opening: flat, in the plane z = 0 of the node, facing +z. Neither its node nor the exit's may scale or mirror.
-/// Whoever goes through it from its front moves along -z of the node, and comes out of the exit along the exit's +z,
-/// with the same way up: both nodes' +z face the side on which the visitor is. If its material is two-sided, it is open
-/// from behind too: there one comes out of the exit along its -z.
+/// opening: flat, in the plane z = 0 of the node, facing +z; the rectangle around it is centred on the node's origin. A
+/// node has one portal at most. Neither its node nor the exit's may scale or mirror. Whoever goes through it from its
+/// front moves along -z of the node, and comes out of the exit along the exit's +z, with the same way up: both nodes'
+/// +z face the side on which the visitor is. If its material is two-sided, it is open from behind too: there one comes
+/// out of the exit along its -z.
 struct Portal {
   int node = 0;             ///< index into Scene::nodes
   std::optional<int> exit;  ///< index into Scene::nodes; none: a mirror

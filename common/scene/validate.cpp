@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "base/error.hpp"
@@ -115,6 +116,33 @@ bool rigid(const glm::dmat4& m) {
   return glm::determinant(turn) > 0;
 }
 
+/// A portal's mesh: flat, facing +z, in a rectangle that is centred on the frame up to rounding.
+void check_opening(const Context& context, const Mesh& mesh) {
+  constexpr double rounding = 1e-5;  // of vertices in single precision, of the rectangle's size
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const Vertex& vertex : mesh.vertices) {
+    if (vertex.position.z != 0)
+      context.fail(fmt::format("the opening has a vertex at z = {} (allowed: 0)", vertex.position.z));
+    low = glm::min(low, glm::dvec2(vertex.position));
+    high = glm::max(high, glm::dvec2(vertex.position));
+  }
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto corner = [&](std::size_t k) { return glm::dvec2(mesh.vertices[mesh.indices[i + k]].position); };
+    const glm::dvec2 u = corner(1) - corner(0), v = corner(2) - corner(0);
+    const double signed_area = (u.x * v.y - u.y * v.x) / 2;
+    if (signed_area < 0)
+      context.fail(fmt::format(
+          "triangle {} of the opening faces -z (allowed: +z, corners counter-clockwise seen from there)", i / 3));
+    area += signed_area;
+  }
+  context.require(area > 0, "the opening has no triangle with an area");
+  for (int axis = 0; axis < 2; ++axis)
+    if (std::abs(low[axis] + high[axis]) > rounding * (high[axis] - low[axis]))
+      context.fail(fmt::format("the opening reaches from {0} = {1} to {2} (allowed: as far to either side of {0} = 0)",
+                               axis == 0 ? 'x' : 'y', low[axis], high[axis]));
+}
+
 void check_portals(Context& context, const Scene& scene) {
   if (scene.portals.empty()) return;
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
@@ -129,11 +157,13 @@ void check_portals(Context& context, const Scene& scene) {
     context.thing = fmt::format("portal {}", i);
     check_place("node", portal.node);
     if (portal.exit) check_place("exit", *portal.exit);
-    const std::optional<int>& mesh = scene.nodes[std::size_t(portal.node)].mesh;
-    context.require(mesh.has_value(), "its node has no mesh: the opening");
-    for (const Vertex& vertex : scene.meshes[std::size_t(*mesh)].vertices)
-      if (vertex.position.z != 0)
-        context.fail(fmt::format("the opening has a vertex at z = {} (allowed: 0)", vertex.position.z));
+    const Node& node = scene.nodes[std::size_t(portal.node)];
+    for (std::size_t earlier = 0; earlier < i; ++earlier)
+      if (scene.portals[earlier].node == portal.node)
+        context.fail(fmt::format("portal {} is on node {} ('{}') too (allowed: one portal a node)", earlier,
+                                 portal.node, node.name));
+    context.require(node.mesh.has_value(), "its node has no mesh: the opening");
+    check_opening(context, scene.meshes[std::size_t(*node.mesh)]);
     context.require(finite_and_not_negative(portal.colour), "colour must be finite and not negative");
   }
 }

@@ -174,19 +174,3 @@ TEST_CASE("openings are found through walls, before an end that does not belong 
   const oracle::Segment rest = beyond(*portals.at(*at_once), from_plane, 0);
   CHECK_FALSE(first_opening(world, portals, rest, 100));
 }
-
-TEST_CASE("a portal is refused where it cannot be", "[portal]") {
-  const auto words = [](const std::function<void(Scene&)>& spoil) {
-    Scene scene = two_places();
-    spoil(scene);
-    return error_of([&] { validate(scene); });
-  };
-  CHECK(words([](Scene&) {}).empty());
-  CHECK(mentions(words([](Scene& s) { s.portals[0].node = 9; }), {"portal 0", "node 9"}));
-  CHECK(mentions(words([](Scene& s) { s.portals[1].exit = -1; }), {"portal 1", "exit -1"}));
-  CHECK(mentions(words([](Scene& s) { s.nodes[1].scale = {1, 2, 1}; }), {"portal 0", "exit 1", "there", "scales"}));
-  CHECK(mentions(words([](Scene& s) { s.nodes[0].scale = {1, 1, -1}; }), {"portal 0", "scales or mirrors"}));
-  CHECK(mentions(words([](Scene& s) { s.nodes[0].mesh.reset(); }), {"portal 0", "no mesh"}));
-  CHECK(mentions(words([](Scene& s) { s.meshes[0].vertices[2].position.z = 0.5f; }), {"portal 0", "z = 0.5"}));
-  CHECK(mentions(words([](Scene& s) { s.portals[0].colour.g = -1; }), {"portal 0", "colour"}));
-}
