@@ -1,8 +1,6 @@
 #include "07-stencil-portals/given/scene_parts.hpp"
 
 #include <array>
-#include <cmath>
-#include <numbers>
 
 #include "scene/builder.hpp"
 #include "scene/shapes.hpp"
@@ -45,8 +43,9 @@ void add_bars(Scene& scene, int parent, int material, float width, float height)
 
 }  // namespace
 
-Look add_look(Scene& scene, const glm::vec3& colour) {
-  return {add_material(scene, {.name = "opening"}), add_material(scene, plastic("frame", colour, 40))};
+Look add_look(Scene& scene, const glm::vec3& colour, bool two_sided) {
+  return {add_material(scene, {.name = "opening", .two_sided = two_sided}),
+          add_material(scene, plastic("frame", colour, 40))};
 }
 
 int add_door(Scene& scene, Node node, const Look& look, float width, float height) {

@@ -15,7 +15,7 @@ struct Look {
   int opening = 0;
   int frame = 0;
 };
-Look add_look(Scene& scene, const glm::vec3& colour);
+Look add_look(Scene& scene, const glm::vec3& colour, bool two_sided = false);
 
 /// A door: an opening in bars. Returns its node.
 int add_door(Scene& scene, Node node, const Look& look, float width = door_width, float height = door_height);

@@ -127,6 +127,42 @@ Scene mirror() {
   return scene;
 }
 
+/// Two gates that are open from both sides, each in the open. The near one is seen from behind: through it one sees
+/// what stands behind the far one, which is turned by an odd angle. A slab closely before that, and a ball closely
+/// before the near one, must not be seen.
+Scene gate() {
+  Scene scene{.name = "gate"};
+  scene.ambient = glm::vec3(0.12f);
+  scene.background = {0.4f, 0.55f, 0.75f};
+  const int meadow = checkered(scene, "meadow", {0.35f, 0.5f, 0.25f, 1}, {0.2f, 0.35f, 0.15f, 1});
+  const int sand = checkered(scene, "sand", {0.7f, 0.6f, 0.4f, 1}, {0.5f, 0.4f, 0.25f, 1});
+  const int copper = add_material(scene, metal("copper", copper_reflectance, 60));
+  const int white = add_material(scene, plastic("white", glm::vec3(0.8f), 60));
+  const int red = add_material(scene, plastic("red", {0.7f, 0.12f, 0.08f}, 60));
+  const Look look = add_look(scene, {0.35f, 0.35f, 0.4f}, true);
+  add_object(scene, make_plane({.width = 16, .depth = 16, .repeat = {8, 8}}), meadow, {.name = "meadow"});
+  add_object(scene, make_plane({.width = 16, .depth = 16, .repeat = {8, 8}}), sand,
+             {.name = "sand", .translation = {40, 0, 0}});
+  const int near = add_door(scene, quarter_turned("near gate", {0.25, 1.25, -0.5}, 2), look);  // faces -z
+  const int far =
+      add_door(scene, {.name = "far gate", .translation = {40, 1.25, 0.5}, .rotation_angle = degrees(35)}, look);
+  join(scene, near, far, {0.3f, 0.1f, 0.4f});
+  add_object(scene, make_box({.size = {0.3f, 1, 0.3f}}), red, {.name = "post", .translation = {0, 0.5, 0.6}});
+  add_object(scene, make_sphere({.radius = 0.4f}), white,
+             {.name = "ball before the near gate", .translation = {0.5, 0.4, -1}});
+  add_object(scene, make_cone({.radius = 0.5f, .height = 1.4f}), red, {.name = "cone", .translation = {2, 0, -2}});
+  // In the frame of the far gate: z below 0 is behind it.
+  add_object(scene, make_sphere({.radius = 0.3f}), white,
+             {.name = "ball behind the far gate", .parent = far, .translation = {-0.25, -0.95, -0.45}});
+  add_object(scene, make_teapot({.height = 0.8f}), copper,
+             {.name = "teapot", .parent = far, .translation = {-0.3, -1.25, -2.2}});
+  add_object(scene, make_box({.size = {1, 1.5f, 0.5f}}), copper,
+             {.name = "slab before the far gate", .parent = far, .translation = {0.1, -0.5, 0.4}});
+  add_light(scene, {.type = LightType::directional, .direction = {0.4f, -0.8f, -0.4f}, .colour = glm::vec3(0.8f)});
+  scene.camera = {.eye = {0.9, 1.6, 3.2}, .target = {0.1, 1.2, -0.5}, .fov_y = degrees(58), .near = 0.1f, .far = 100};
+  return scene;
+}
+
 /// An alley of brick walls at dusk. A door stands in its middle, another at its end on the side: the alley goes on in
 /// itself. Copper lanterns.
 Scene alley() {
@@ -183,6 +219,7 @@ const SceneTable& whole_portal_scenes() {
       {"corridor", [](const Settings&) { return corridor(); }},
       {"rolled", [](const Settings&) { return rolled(); }},
       {"mirror", [](const Settings&) { return mirror(); }},
+      {"gate", [](const Settings&) { return gate(); }},
       {"alley", [](const Settings&) { return alley(); }},
       {"lamp", [](const Settings&) { return make_lamp_scene(); }},
       {"astride", [](const Settings& settings) { return make_astride_scene(settings.real("body.way")); }},
@@ -205,6 +242,7 @@ glm::dvec3 walk_of(const Scene& scene) {
   if (scene.name == "rooms") return {-0.5, 0, -6};
   if (scene.name == "rolled") return {-1.1, -0.2, -5};
   if (scene.name == "corridor") return {0, 0, -40};
+  if (scene.name == "gate") return {-0.6, -0.1, -5.5};
   return glm::dvec3(0);
 }
 

@@ -12,8 +12,8 @@ const SceneTable& portal_scenes();
 /// The same before that.
 const SceneTable& whole_portal_scenes();
 
-/// The way of a scene's visitor, from the camera's eye: straight ahead, and through portals where there are some. Zero
-/// where nobody walks.
+/// The way of a scene's visitor, from the camera's eye: straight ahead, and through portals where there are some, by
+/// the rules of visitor.hpp. Zero where nobody walks.
 glm::dvec3 walk_of(const Scene& scene);
 
 }  // namespace atelier
