@@ -52,7 +52,7 @@ TEST_CASE("openings that are not seen cost nothing", "[required][07-stencil-port
 }
 
 TEST_CASE("a scissor changes no pixel", "[required][07-stencil-portals]") {
-  for (const char* scene : {"rooms", "corridor", "rolled", "mirror"}) {
+  for (const char* scene : {"rooms", "corridor", "rolled", "mirror", "gate"}) {
     INFO(scene);
     const auto both = drawn(portal_step, {picture(scene), picture(scene, {{"portals.scissor", false}})});
     CHECK(pixels_apart(both[0].picture, both[1].picture) == 0);
@@ -93,6 +93,14 @@ TEST_CASE("a visitor's way has no jump at a tilted door", "[required][07-stencil
   // Edges move by a pixel or two: at most an eighth of the picture. A frame that shows the wrong place is another one.
   CHECK(largest < 160 * 120 / 8);
   CHECK(largest > 0);
+}
+
+TEST_CASE("a visitor goes through a two-sided gate from behind", "[required][07-stencil-portals]") {
+  // The gate is at 3.7 / 5.5 = 0.67273 of the way: the frames are 0.15 mm before it and 0.4 mm behind it.
+  const auto both =
+      drawn(portal_step, {picture("gate", {{"visitor.way", 0.6727}}), picture("gate", {{"visitor.way", 0.6728}})});
+  // Edges fall on the other side of a pixel's middle. The ground alone, which is another one, fills more than this.
+  CHECK(pixels_that_differ(both[0].picture, both[1].picture, 0.15f) < 160 * 120 / 16);
 }
 
 TEST_CASE("255 levels are the most, and nothing is left behind the last", "[required][07-stencil-portals]") {
