@@ -107,15 +107,18 @@ View PortalViews::view_through(const Opening& opening, const Viewpoint& around, 
   return view;
 }
 
+/// Whether part of an opening stands behind an exit. The opening of the exit itself does not, whatever rounding says.
+bool PortalViews::seen_from(const Exit& exit, const Opening& opening) {
+  if (opening.node == exit.node) return false;
+  return std::ranges::any_of(opening.corners(),
+                             [&](const glm::dvec4& corner) { return glm::dot(exit.plane, corner) > 0; });
+}
+
 void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, const Target& target, int item,
                                ScenePainter& painter) {
   const bool behind = distance(opening_plane(opening.frame, false), around.exact_eye) < 0;
   if (behind && !opening.two_sided) return;
-  // Not seen where all of it stands before the exit of the view that is being drawn.
-  if (!planes_.empty() && std::ranges::all_of(opening.corners(), [&](const glm::dvec4& corner) {
-        return glm::dot(planes_.back(), corner) <= 0;
-      }))
-    return;
+  if (!exits_.empty() && !seen_from(exits_.back(), opening)) return;
   const std::optional<glm::ivec4> rectangle = rectangle_of(opening, around, target);
   if (!rectangle) return;
   if (nesting_depth(around.view) >= deepest_ || std::min(rectangle->z, rectangle->w) < smallest_) {
@@ -130,14 +133,14 @@ void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, 
   const glm::dvec4 plane = opening_plane(opening.exit, behind);
   View view = view_through(opening, around, plane);
   view.scissor = *rectangle;
-  planes_.push_back(plane);
+  exits_.push_back({opening.exit_node, plane});
   painter.draw_view_inside(view, around, target, item, {.begin_mark = begin_mark, .begin_restore = begin_restore});
-  planes_.pop_back();
+  exits_.pop_back();
 }
 
 void PortalViews::draw_inside(Gl&, const Scene&, const Viewpoint& around, const Target& target, ScenePainter& painter) {
   if (!around.view.parent) {
-    planes_.clear();
+    exits_.clear();
     views_ = 0;
     projection_ = around.projection;
   }
@@ -155,7 +158,7 @@ std::map<Slot, SlotCode> PortalViews::slots() const {
 }
 
 void PortalViews::bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) {
-  binder.set("u_opening_plane", moved_plane(planes_.back(), viewpoint.origin));
+  binder.set("u_opening_plane", moved_plane(exits_.back().plane, viewpoint.origin));
 }
 
 }  // namespace atelier

@@ -29,9 +29,15 @@ class PortalViews : public Feature {
 
  private:
   enum class Clip { none, discard, distance, oblique };
+  /// What the view through an opening begins at.
+  struct Exit {
+    int node = 0;
+    glm::dvec4 plane{0};  ///< of the world: what is before it, on its negative side, is clipped
+  };
   std::optional<glm::ivec4> rectangle_of(const Opening& opening, const Viewpoint& around, const Target& target) const;
   /// `plane` is the exit's: what stands before it is clipped.
   View view_through(const Opening& opening, const Viewpoint& around, const glm::dvec4& plane) const;
+  static bool seen_from(const Exit& exit, const Opening& opening);
   void draw_opening(const Opening& opening, const Viewpoint& around, const Target& target, int item,
                     ScenePainter& painter);
 
@@ -40,8 +46,8 @@ class PortalViews : public Feature {
   bool scissor_ = true;
   Clip clip_ = Clip::distance;
   std::vector<Opening> openings_;
-  std::vector<glm::dvec4> planes_;  ///< the exits' planes of the views that are being drawn, the innermost last
-  glm::mat4 projection_{1.0f};      ///< of the frame, shared by all views inside but for their near planes
+  std::vector<Exit> exits_;     ///< of the views that are being drawn, the innermost last
+  glm::mat4 projection_{1.0f};  ///< of the frame, shared by all views inside but for their near planes
 };
 
 }  // namespace atelier

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "07-stencil-portals/given/openings.hpp"
 #include "07-stencil-portals/given/scenes.hpp"
 #include "07-stencil-portals/stencil_portals.hpp"
 
@@ -18,29 +19,17 @@ std::vector<SettingSpec> visitor_settings() {
 
 namespace {
 
-/// Half the sides of the rectangle around an opening's frame.
-glm::dvec2 half_size(const Mesh& opening) {
-  glm::dvec2 half(0);
-  for (const Vertex& vertex : opening.vertices) half = glm::max(half, glm::dvec2(glm::abs(vertex.position)));
-  return half;
-}
-
 Camera moved(Camera camera, const glm::dvec3& by) {
   camera.eye += by;
   camera.target += by;
   return camera;
 }
 
-/// Whether the way from `from` to `to` leads through a portal.
-bool enters(const Scene& scene, const Portal& portal, const glm::dmat4& frame, const glm::dvec3& from,
-            const glm::dvec3& to) {
-  const Node& node = scene.nodes[std::size_t(portal.node)];
-  const glm::dvec2 half = half_size(scene.meshes[std::size_t(*node.mesh)]);
-  if (stencil_portals::goes_through(frame, half, from, to)) return true;
-  if (!scene.materials[std::size_t(node.material)].two_sided) return false;
-  // From behind: as from the front of a frame that is turned round.
-  const glm::dmat4 half_turn(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1);
-  return stencil_portals::goes_through(frame * half_turn, half, from, to);
+/// Whether the way from `from` to `to` leads through an opening.
+bool enters(const Opening& opening, const glm::dvec3& from, const glm::dvec3& to) {
+  using stencil_portals::goes_through;
+  if (goes_through(opening.frame, opening.half_size, from, to)) return true;
+  return opening.two_sided && goes_through(from_behind(opening.frame), opening.half_size, from, to);
 }
 
 }  // namespace
@@ -50,22 +39,19 @@ Camera visit(const Scene& scene, const Camera& camera, const Settings& settings)
   const double way = settings.real("visitor.way") * steps;
   glm::dvec3 step = walk_of(scene) / double(steps);
   if (way == 0 || step == glm::dvec3(0)) return camera;
-  const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
+  const std::vector<Opening> openings = openings_of(scene);
   Camera now = camera;
   std::optional<int> exit;  // whose opening lies behind a visitor who goes straight on, whatever rounding says
   for (int i = 0; i < way; ++i) {
     const Camera next = moved(now, step * std::min(1.0, way - i));
-    const auto met = std::ranges::find_if(scene.portals, [&](const Portal& portal) {
-      return portal.exit && portal.node != exit &&
-             enters(scene, portal, world[std::size_t(portal.node)], now.eye, next.eye);
+    const auto met = std::ranges::find_if(openings, [&](const Opening& opening) {
+      return !opening.mirror && opening.node != exit && enters(opening, now.eye, next.eye);
     });
     now = next;
-    if (met == scene.portals.end()) continue;
-    exit = met->exit;
-    const glm::dmat4 passage =
-        stencil_portals::portal_passage(world[std::size_t(met->node)], world[std::size_t(*exit)]);
-    now = stencil_portals::carried(now, passage);
-    step = glm::dmat3(passage) * step;
+    if (met == openings.end()) continue;
+    exit = met->exit_node;
+    now = stencil_portals::carried(now, met->passage);
+    step = glm::dmat3(met->passage) * step;
   }
   return now;
 }
