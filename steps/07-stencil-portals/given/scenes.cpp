@@ -158,7 +158,10 @@ Scene gate() {
              {.name = "teapot", .parent = far, .translation = {-0.3, -1.25, -2.2}});
   add_object(scene, make_box({.size = {1, 1.5f, 0.5f}}), copper,
              {.name = "slab before the far gate", .parent = far, .translation = {0.1, -0.5, 0.4}});
-  add_light(scene, {.type = LightType::directional, .direction = {0.4f, -0.8f, -0.4f}, .colour = glm::vec3(0.8f)});
+  add_light(scene, {.type = LightType::directional,
+                    .direction = {0.4f, -0.8f, -0.4f},
+                    .colour = glm::vec3(0.8f),
+                    .casts_shadow = false});
   scene.camera = {.eye = {0.9, 1.6, 3.2}, .target = {0.1, 1.2, -0.5}, .fov_y = degrees(58), .near = 0.1f, .far = 100};
   return scene;
 }
