@@ -2,8 +2,10 @@
 // Right-handed coordinates, metres, radians, +y up; colours are linear.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -126,6 +128,18 @@ struct Portal {
   glm::vec3 colour{0};      ///< what it shows where nothing is drawn in it, linear
 };
 
+/// What is infinitely far away in each direction: the faces of a cube, square pictures of one edge length, linear
+/// colours (alpha is not used). Faces, columns and rows are in the order of OpenGL's cube maps. Along the columns s
+/// increases, along the rows t:
+///   face                    +x  -x  +y  -y  +z  -z
+///   columns run towards     -z  +z  +x  +x  +x  -x
+///   rows run towards        -y  -y  +z  -z  -y  -y
+/// So row 0 of the four sides is at the top, as in any picture, and a face is the right way round from outside the
+/// cube: seen from inside, left and right are exchanged.
+struct Sky {
+  std::array<Image, 6> faces;  ///< 1..4096 texels a side
+};
+
 struct Scene {
   std::string name;
   std::vector<Mesh> meshes;
@@ -135,12 +149,13 @@ struct Scene {
   std::vector<Light> lights;
   std::vector<Portal> portals;
   Camera camera;
-  glm::vec3 ambient{0.03f};    ///< ambient light, linear
-  glm::vec3 background{0.0f};  ///< background colour, linear
+  glm::vec3 ambient{0.03f};        ///< ambient light, linear
+  glm::vec3 background{0.0f};      ///< background colour, linear
+  std::shared_ptr<const Sky> sky;  ///< replaces the background colour; null: none. Copies of the scene share it
 };
 
 /// Throws atelier::Error naming the first problem, such as "scene 'hall': node 3 ('door'): mesh 9 of 4": an index out
-/// of range, a cycle of parents, a NaN or infinity, a camera, light or portal outside the ranges above.
+/// of range, a cycle of parents, a NaN or infinity, a camera, light, portal or sky outside the ranges above.
 void validate(const Scene& scene);
 
 /// All node indices, every parent before its children, otherwise in the given order. Throws atelier::Error naming the

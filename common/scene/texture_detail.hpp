@@ -1,4 +1,4 @@
-// Shared by textures and reliefs. Not for other code.
+// Shared by textures, reliefs and skies. Not for other code.
 #pragma once
 
 #include <fmt/format.h>

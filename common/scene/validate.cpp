@@ -1,6 +1,7 @@
 // Checks that a scene can be drawn: one function per struct, each of which reports the first problem.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -186,6 +187,21 @@ void check_camera(const Context& context, const Camera& camera) {
         fmt::format("vertical angle of view {} radians (allowed: above 0, at most 179 degrees)", camera.fov_y));
 }
 
+void check_sky(Context& context, const Sky& sky) {
+  static constexpr std::array names = {"+x", "-x", "+y", "-y", "+z", "-z"};
+  constexpr int longest = 4096;
+  const int edge = sky.faces[0].width();
+  for (std::size_t i = 0; i < sky.faces.size(); ++i) {
+    const Image& face = sky.faces[i];
+    context.thing = fmt::format("sky: face {} ({})", i, names[i]);
+    if (face.width() != edge || face.height() != edge || edge < 1 || edge > longest)
+      context.fail(fmt::format("{} x {} texels (allowed: six squares of one edge length, 1..{})", face.width(),
+                               face.height(), longest));
+    for (const Rgba& p : face.pixels())
+      if (!(std::isfinite(p.r) && std::isfinite(p.g) && std::isfinite(p.b))) context.fail("a texel is not finite");
+  }
+}
+
 }  // namespace
 
 void validate(const Scene& scene) {
@@ -213,6 +229,7 @@ void validate(const Scene& scene) {
   context.require(finite_and_not_negative(scene.ambient), "it must be finite and not negative");
   context.thing = "background";
   context.require(finite_and_not_negative(scene.background), "it must be finite and not negative");
+  if (scene.sky) check_sky(context, *scene.sky);
 }
 
 }  // namespace atelier

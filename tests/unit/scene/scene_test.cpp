@@ -6,6 +6,7 @@
 #include "catch.hpp"
 #include "scene/builder.hpp"
 #include "scene/shapes.hpp"
+#include "scene/sky.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;
@@ -16,9 +17,21 @@ namespace {
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
+Sky grey_sky() {
+  return make_sky(2, [](const glm::dvec3&) { return glm::dvec3(0.5); });
+}
+
+/// Replaces the sky by a grey one that `spoil` has changed.
+void set_sky(Scene& scene, const std::function<void(Sky&)>& spoil) {
+  Sky sky = grey_sky();
+  spoil(sky);
+  scene.sky = std::make_shared<const Sky>(std::move(sky));
+}
+
 /// A small scene with one of everything.
 Scene sound_scene() {
   Scene scene{.name = "test"};
+  scene.sky = std::make_shared<const Sky>(grey_sky());
   const int texture = add_texture(scene, "white", Image(2, 2, {1, 1, 1, 1}));
   const int material = add_material(scene, {.name = "paint", .diffuse_texture = texture});
   const int group = add_node(scene, {.name = "group"});
@@ -56,6 +69,10 @@ TEST_CASE("validate accepts valid scenes, including extremes", "[scene]") {
          add_light(s, {.type = LightType::spot, .inner_angle = 0, .outer_angle = degrees(180)});
        }},
       {"a zero normal", [](Scene& s) { s.meshes[0].vertices[0].normal = glm::vec3(0); }},
+      {"no sky", [](Scene& s) { s.sky.reset(); }},
+      {"a sky of 6 texels", [](Scene& s) { set_sky(s, [](Sky& sky) { sky.faces.fill(Image(1, 1)); }); }},
+      {"a sky's alpha, which is not used",
+       [](Scene& s) { set_sky(s, [](Sky& sky) { sky.faces[0].at(0, 0).a = not_a_number; }); }},
   };
   for (const Row& row : table) {
     INFO(row.name);
@@ -106,6 +123,18 @@ TEST_CASE("validate names the first error", "[scene]") {
       {"near behind", [](Scene& s) { s.camera.near = 0; }, {"near"}},
       {"far before near", [](Scene& s) { s.camera.far = s.camera.near; }, {"near below far"}},
       {"ambient", [](Scene& s) { s.ambient.x = not_a_number; }, {"ambient"}},
+      {"a sky without faces",
+       [](Scene& s) { set_sky(s, [](Sky& sky) { sky = {}; }); },
+       {"scene 'test': sky: face 0 (+x): 0 x 0 texels", "six squares", "1..4096"}},
+      {"a face that is not square",
+       [](Scene& s) { set_sky(s, [](Sky& sky) { sky.faces[3] = Image(2, 1); }); },
+       {"face 3 (-y): 2 x 1"}},
+      {"a larger face",
+       [](Scene& s) { set_sky(s, [](Sky& sky) { sky.faces[4] = Image(3, 3); }); },
+       {"face 4 (+z): 3 x 3"}},
+      {"a bad texel",
+       [](Scene& s) { set_sky(s, [](Sky& sky) { sky.faces[5].at(1, 0).g = infinite; }); },
+       {"face 5 (-z): a texel is not finite"}},
   };
   for (const Row& row : table) {
     INFO(row.name);

@@ -7,6 +7,7 @@
 
 #include "catch.hpp"
 #include "scene/noise.hpp"
+#include "scene/sky.hpp"
 
 using namespace atelier;
 using atelier::test::error_of;
@@ -40,6 +41,22 @@ Steps largest_steps(const Image& image) {
   return steps;
 }
 
+/// A small sky with everything that a sky can have.
+Sky dusky_sky() {
+  SkyShape shape{.edge = 32,
+                 .zenith = {0.05f, 0.05f, 0.15f},
+                 .horizon = {0.3f, 0.15f, 0.15f},
+                 .clouds = 0.5f,
+                 .cloud = {0.2f, 0.15f, 0.15f},
+                 .stars = 0.5f};
+  shape.discs = {{.direction = {0.3f, 0.5f, -1},
+                  .colour = glm::vec3(0.75f),
+                  .radius = 0.1f,
+                  .halo = glm::vec3(0.125f),
+                  .halo_width = 0.25f}};
+  return make_sky(shape);
+}
+
 struct MadeTexture {
   const char* name;
   std::function<Image()> make;
@@ -56,6 +73,8 @@ const std::vector<MadeTexture>& textures() {
       {"brick colour", [] { return make_bricks({.size = 64}).colour; }, 0xd2b2a2d89d856ef0},
       {"brick height", [] { return make_bricks({.size = 64}).height; }, 0xae56c595302f832e},
       {"brick normal", [] { return make_bricks({.size = 64}).normal; }, 0x2df3e3745924a701},
+      {"sky, above", [] { return dusky_sky().faces[2]; }, 0x37ae1afc970d4b6f},
+      {"sky, towards the disc", [] { return dusky_sky().faces[5]; }, 0x77f85259fd434847},
   };
   return table;
 }
@@ -216,6 +235,16 @@ TEST_CASE("textures refuse sizes out of range", "[scene]") {
       {[] { make_inscription({.stroke = 0.2f}); }, "inscription: stroke 0.2"},
       {[] { make_wood({.boards = 65}); }, "boards 65"},
       {[] { make_marble({.turbulence = 9}); }, "turbulence 9"},
+      {[] { make_sky({.edge = 0}); }, "sky: edge 0 (allowed: 1..4096)"},
+      {[] { make_sky({.edge = 4097}); }, "sky: edge 4097"},
+      {[] { make_sky({.edge = 1, .clouds = NAN}); }, "sky: clouds nan"},
+      {[] { make_sky({.edge = 1, .stars = -1}); }, "sky: stars -1"},
+      {[] {
+         make_sky({.edge = 1, .discs = {{.direction = {0, 0, 0}}}});
+       },
+       "direction 0"},
+      {[] { make_sky({.edge = 1, .discs = {{.radius = 0.75f}}}); }, "radius of a disc 0.75 (allowed: 0..0.5)"},
+      {[] { make_sky({.edge = 1, .discs = {{.halo_width = 0}}}); }, "halo_width of a disc 0"},
   };
   for (const Bad& bad : table) {
     INFO(bad.part);
