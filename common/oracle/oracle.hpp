@@ -26,6 +26,7 @@
 //   shadow.hpp       the visible fraction of a light
 //   shade.hpp        the colour of a surface point
 //   portal.hpp       rays through portals and mirrors
+//   sky.hpp          the colour of the sky in a direction
 //   picture.hpp      a whole picture, on all CPU cores
 //
 // There are no mipmaps and no filter except the box filter over n x n samples per pixel: supersampling is the truth
@@ -53,6 +54,7 @@
 #include "oracle/shading.hpp"
 #include "oracle/shadow.hpp"
 #include "oracle/shape.hpp"
+#include "oracle/sky.hpp"
 #include "oracle/tangents.hpp"
 #include "oracle/texture.hpp"
 #include "oracle/triangle.hpp"

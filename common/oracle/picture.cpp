@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "oracle/normal_map.hpp"
 #include "oracle/portal.hpp"
+#include "oracle/sky.hpp"
 
 namespace atelier::oracle {
 
@@ -31,6 +32,7 @@ const std::map<std::string, Output>& outputs() {
 struct Sight {
   std::optional<SurfacePoint> point;
   glm::dvec3 eye{0};                         ///< of the camera, carried through the openings before the point
+  glm::dvec3 direction{0, 0, -1};            ///< of the ray behind the last of them
   const Portals::Opening* closed = nullptr;  ///< the point's: no ray goes through it
 };
 
@@ -49,7 +51,13 @@ Sight look(const World& world, const Portals& portals, const PictureRequest& req
     sight.eye = glm::dvec3(opening->through * glm::dvec4(sight.eye, 1));
     sight.point = first_seen(world, portals, segment);
   }
+  sight.direction = segment.ray.direction;
   return sight;
+}
+
+/// What is behind everything in a direction of world space.
+glm::dvec3 background(const Scene& scene, const glm::dvec3& direction) {
+  return scene.sky ? sky_colour(*scene.sky, direction) : glm::dvec3(scene.background);
 }
 
 /// The value of one ray.
@@ -59,7 +67,7 @@ glm::dvec3 sample(const World& world, const Portals& portals, const CameraRays& 
   std::optional<SurfacePoint> point = sight.point;
   if (sight.closed) return request.output == Output::colour ? sight.closed->colour : glm::dvec3(0);
   if (point && request.shading.normal_maps) point = under_normal_map(world.scene(), *point);
-  if (!point) return request.output == Output::colour ? glm::dvec3(world.scene().background) : glm::dvec3(0);
+  if (!point) return request.output == Output::colour ? background(world.scene(), sight.direction) : glm::dvec3(0);
   const auto shaded = [&](Part part) { return shade(world, *point, sight.eye, request.shading, part); };
   switch (request.output) {
     case Output::colour:

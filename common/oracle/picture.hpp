@@ -11,8 +11,8 @@
 
 namespace atelier::oracle {
 
-/// What a pixel shows of the visible surface point. Without one: for `colour` the scene's background, for all others
-/// zero.
+/// What a pixel shows of the visible surface point. Without one: for `colour` the scene's sky or background, for all
+/// others zero.
 enum class Output {
   colour,    ///< linear light
   diffuse,   ///< its ambient and diffuse part

@@ -43,6 +43,11 @@ int add_light(Scene& scene, Light light) {
   return append(scene.lights, std::move(light));
 }
 
+void set_background(Scene& scene, const glm::vec3& colour) {
+  scene.background = colour;
+  scene.sky.reset();
+}
+
 int add_object(Scene& scene, Mesh mesh, int material, Node node) {
   node.mesh = add_mesh(scene, std::move(mesh));
   node.material = material;

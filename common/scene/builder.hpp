@@ -20,6 +20,9 @@ int add_relief(Scene& scene, Material material, Relief relief, bool coloured, Fi
 int add_node(Scene& scene, Node node);
 int add_light(Scene& scene, Light light);
 
+/// One linear colour behind everything: the background, without a sky.
+void set_background(Scene& scene, const glm::vec3& colour);
+
 /// Adds a mesh and a node that shows it; returns the node.
 int add_object(Scene& scene, Mesh mesh, int material, Node node = {});
 

@@ -6,6 +6,7 @@
 #include "02-blinn-phong/given/blind.hpp"
 #include "02-blinn-phong/given/scenes.hpp"
 #include "image/colour.hpp"
+#include "scene/builder.hpp"
 
 namespace atelier {
 
@@ -89,7 +90,7 @@ SceneTruth blinn_phong_truth(const TruthRequest& request, const Settings& settin
   if (settings.has("light.blind") && settings.flag("light.blind")) truth.shading.share = through_blind;
   if (request.output == "encoded") {
     truth.output = "colour";
-    truth.scene.background = glm::vec3(0);  // as for every output except colour
+    set_background(truth.scene, glm::vec3(0));  // as for every output except colour
     truth.finish = [](Image image) { return srgb_encode(image); };
   }
   return truth;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oracle/frame.hpp"
+#include "scene/builder.hpp"
 
 namespace atelier {
 
@@ -152,7 +153,7 @@ Scene casters_alone(Scene scene, bool back_faces_only) {
   if (back_faces_only)  // flipping the winding makes back faces front faces
     for (Mesh& mesh : scene.meshes)
       for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) std::swap(mesh.indices[i], mesh.indices[i + 1]);
-  scene.background = glm::vec3(1);
+  set_background(scene, glm::vec3(1));
   return scene;
 }
 

@@ -7,6 +7,7 @@
 #include "03-shadow-mapping/given/scenes.hpp"
 #include "base/error.hpp"
 #include "oracle/shadow.hpp"
+#include "scene/builder.hpp"
 
 namespace atelier {
 
@@ -18,7 +19,7 @@ constexpr int points_a_side = 32;  ///< of a light: the error at shadow edges is
 void show(SceneTruth& truth, oracle::SurfaceColour numbers) {
   truth.shading.surface = std::move(numbers);
   truth.output = "colour";
-  truth.scene.background = glm::vec3(0);
+  set_background(truth.scene, glm::vec3(0));
 }
 
 /// The light of the shadow outputs; null if the scene has fewer lights.

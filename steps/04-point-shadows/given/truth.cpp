@@ -7,6 +7,7 @@
 #include "04-point-shadows/given/scenes.hpp"
 #include "base/error.hpp"
 #include "oracle/shadow.hpp"
+#include "scene/builder.hpp"
 
 namespace atelier {
 
@@ -59,7 +60,7 @@ SceneTruth point_shadow_truth(const TruthRequest& request, const Settings& setti
   const Light* light = shown_point_light(truth.scene, settings);
   if (!light) return shadow_truth(request, settings, std::move(model));
   truth.shading.surface = numbers_for(request, settings, Light(*light), truth);
-  truth.scene.background = glm::vec3(0);  // the background has no value
+  set_background(truth.scene, glm::vec3(0));  // the background has no value
   truth.output = "colour";
   return truth;
 }

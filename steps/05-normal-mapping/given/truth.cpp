@@ -4,6 +4,7 @@
 #include "05-normal-mapping/given/scenes.hpp"
 #include "app/picture.hpp"
 #include "oracle/frame.hpp"
+#include "scene/builder.hpp"
 #include "scene/relief.hpp"
 
 namespace atelier {
@@ -43,7 +44,7 @@ SceneTruth normal_mapping_truth(const TruthRequest& request, const Settings& set
   if (settings.choice("normal.source") == "heights") use_heights(truth.scene, settings.real("normal.depth"));
   if (request.output == "recorded_normal") {
     truth.output = "colour";
-    truth.scene.background = glm::vec3(0);
+    set_background(truth.scene, glm::vec3(0));
     truth.shading.surface = in_view_of(apply(request.camera, truth.scene.camera));
   }
   return truth;

@@ -77,7 +77,7 @@ SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& s
   SceneTruth truth = normal_mapping_truth(request, settings, std::move(model));
   if (request.output == "recorded_height") {
     truth.output = "colour";
-    truth.scene.background = glm::vec3(0);
+    set_background(truth.scene, glm::vec3(0));
     truth.shading.surface = height_in_view(apply(request.camera, truth.scene.camera), settings);
   }
   if (settings.choice("parallax.method") == "none" || settings.real("parallax.depth") == 0) return truth;

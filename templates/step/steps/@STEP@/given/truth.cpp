@@ -6,6 +6,7 @@
 #include "@STEP@/given/feature.hpp"
 #include "@STEP@/given/scenes.hpp"
 #include "oracle/shade.hpp"
+#include "scene/builder.hpp"
 
 namespace atelier {
 
@@ -14,7 +15,7 @@ SceneTruth @NAME@_truth(const TruthRequest& request, const Settings& settings, s
   SceneTruth truth = blinn_phong_truth(request, settings, std::move(model));
   const double half_distance = settings.real("@NAME@.half_distance");
   if (half_distance == 0 || request.output != "colour") return truth;
-  truth.scene.background = @NAME@_air;
+  set_background(truth.scene, @NAME@_air);
   truth.shading.surface = [half_distance, lit = truth.shading](
                               const oracle::World& world, const oracle::SurfacePoint& point, const glm::dvec3& eye) {
     const double through = std::exp2(-glm::distance(eye, point.position) / half_distance);
