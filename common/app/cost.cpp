@@ -65,6 +65,7 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"allocated_bytes", gl.allocated_bytes, "bytes allocated in this frame"},
       {"nodes", scene.nodes, "nodes with a mesh, in all views together"},
       {"nodes_culled", scene.nodes_culled, "of those, skipped because they are outside the view"},
+      {"skies", scene.skies, "draws of the sky, one for each view of colour"},
       {"matrices", scene.matrices, "world and normal matrices computed in this frame"},
       {"lights", scene.lights, "lights summed by the shaders for each point"},
       {"lookups", scene.lookups, "texels of shadow and height maps read by the shaders for each point"},

@@ -9,6 +9,7 @@ namespace atelier {
 struct SceneCounts {
   std::int64_t nodes = 0;          ///< with a mesh, in all views together
   std::int64_t nodes_culled = 0;   ///< of those, skipped because they are outside the view
+  std::int64_t skies = 0;          ///< draws of the sky: one for each view of colour, if the scene has a sky
   std::int64_t matrices = 0;       ///< world and normal matrices computed
   std::int64_t lights = 0;         ///< summed by the shaders for each point
   std::int64_t lookups = 0;        ///< texels of shadow maps and height maps read for each point

@@ -64,7 +64,8 @@ class Feature {
   /// Post-processing passes, in order, for a view that has its own target.
   virtual std::vector<ChainPass> passes(const Scene&, const View&) const { return {}; }
 
-  /// The background colour. The last feature that returns one wins; otherwise it is the scene's.
+  /// The background colour, which also replaces the sky. The last feature that returns one wins; otherwise it is the
+  /// scene's.
   virtual std::optional<glm::vec3> background(const Scene&, const View&) const { return {}; }
 
   /// Whether the feature may draw the view's output instead of the scene's surfaces. If any does, no views are drawn

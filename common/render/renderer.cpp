@@ -76,6 +76,7 @@ void Renderer::prepare(const Scene& scene) {
     for (auto feature = features_.begin(); feature != features_.end() && tangents[mesh].empty(); ++feature)
       tangents[mesh] = (*feature)->tangents(scene, int(mesh));
   nodes_.emplace(gl_, transforms_, scene, tangents);
+  skybox_ = scene.sky ? std::make_unique<Skybox>(gl_, *scene.sky) : nullptr;
   scene_ = &scene;
   take_lights();
   for (auto& feature : features_) feature->prepare(gl_, scene);
@@ -175,8 +176,13 @@ bool Renderer::hidden(const Item& item, const Viewpoint& viewpoint) const {
 
 glm::vec3 Renderer::background(const View& view) const {
   if (view.output != "colour") return glm::vec3(0);
-  glm::vec3 colour = scene_->background;
-  for (const auto& feature : features_) colour = feature->background(*scene_, view).value_or(colour);
+  return background_of_features(view).value_or(scene_->background);
+}
+
+std::optional<glm::vec3> Renderer::background_of_features(const View& view) const {
+  std::optional<glm::vec3> colour;
+  for (const auto& feature : features_)
+    if (const std::optional<glm::vec3> replaced = feature->background(*scene_, view)) colour = replaced;
   return colour;
 }
 
@@ -266,6 +272,14 @@ void Renderer::draw_nodes(const Viewpoint& viewpoint, const Target& target) {
   gl_.BindVertexArray(0);
 }
 
+/// The sky is a part of colour alone. A feature's background hides it: all light from infinity is lost in fog.
+void Renderer::draw_sky(const Viewpoint& viewpoint) {
+  const View& view = viewpoint.view;
+  if (!skybox_ || view.output != "colour" || background_of_features(view)) return;
+  skybox_->draw(viewpoint, programs_.pass(Skybox::pass()));
+  ++counts_.skies;
+}
+
 bool Renderer::drawn_instead(const View& view, const Target& target) {
   return std::any_of(features_.rbegin(), features_.rend(),
                      [&](const auto& feature) { return feature->draw_instead(gl_, view, target); });
@@ -295,6 +309,7 @@ void Renderer::draw_scene(const View& view, const Target& target) {
   set_bounds(viewpoint, target);
   if (instead && drawn_instead(view, target)) return;
   draw_nodes(viewpoint, target);
+  draw_sky(viewpoint);
 }
 
 std::vector<ChainPass> Renderer::passes(const View& view) const {

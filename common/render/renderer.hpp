@@ -11,6 +11,7 @@
 #include "render/feature.hpp"
 #include "render/placed_nodes.hpp"
 #include "render/programs.hpp"
+#include "render/sky.hpp"
 #include "render/target_pool.hpp"
 #include "render/transforms.hpp"
 
@@ -43,9 +44,10 @@ class Renderer : private ScenePainter {
   /// Whether targets for the prepared scene need a stencil buffer.
   bool needs_stencil() const;
 
-  /// Clears the target to the background, draws the prepared scene and runs the passes of the features. In an 8-bit
-  /// target a NaN or infinite colour becomes magenta, as in a window: the format cannot store it. Throws ShaderError
-  /// with source file and line, and Error if the view needs something that the driver or the target does not have.
+  /// Clears the target to the background, draws the prepared scene and its sky, and runs the passes of the features. In
+  /// an 8-bit target a NaN or infinite colour becomes magenta, as in a window: the format cannot store it. Throws
+  /// ShaderError with source file and line, and Error if the view needs something that the driver or the target does
+  /// not have.
   void render(const View& view, const Target& target);
 
   const SceneCounts& counts() const { return counts_; }  ///< of the last frame
@@ -77,6 +79,7 @@ class Renderer : private ScenePainter {
   void take_lights();
   void notify_moved();
   glm::vec3 background(const View& view) const;
+  std::optional<glm::vec3> background_of_features(const View& view) const;
   std::vector<ChainPass> passes(const View& view) const;
 
   void draw_with_chain(const View& view, const Target& target);
@@ -85,6 +88,7 @@ class Renderer : private ScenePainter {
   void begin(const Viewpoint& viewpoint, const Target& target);
   void set_bounds(const Viewpoint& viewpoint, const Target& target);
   void draw_nodes(const Viewpoint& viewpoint, const Target& target);
+  void draw_sky(const Viewpoint& viewpoint);
   void use(const Variant& variant, Drawing& drawing);
   void draw(const Item& item, const Variant& variant, Drawing& drawing);
   bool drawn_instead(const View& view, const Target& target);
@@ -110,6 +114,7 @@ class Renderer : private ScenePainter {
   const Scene* scene_ = nullptr;
   std::vector<Light> lights_;         ///< of the scene, then of features
   std::optional<PlacedNodes> nodes_;  ///< of the prepared scene
+  std::unique_ptr<Skybox> skybox_;    ///< of the prepared scene; null: it has no sky
   SceneCounts counts_;
   bool mirrored_ = false;  ///< of the view that is being drawn
 
