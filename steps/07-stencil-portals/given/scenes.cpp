@@ -1,11 +1,14 @@
 #include "07-stencil-portals/given/scenes.hpp"
 
+#include <memory>
+
 #include "07-stencil-portals/given/bodies.hpp"
 #include "07-stencil-portals/given/scene_parts.hpp"
 #include "07-stencil-portals/given/scenes_through.hpp"
 #include "scene/builder.hpp"
 #include "scene/relief.hpp"
 #include "scene/shapes.hpp"
+#include "scene/sky.hpp"
 #include "scene/textures.hpp"
 
 namespace atelier {
@@ -166,12 +169,34 @@ Scene gate() {
   return scene;
 }
 
+/// Dusk: the glow of the sun, which has set ahead on the left, and the moon above the end of the alley. Made once.
+std::shared_ptr<const Sky> dusk() {
+  static const std::shared_ptr<const Sky> sky = [] {
+    SkyShape shape{.edge = 256,
+                   .zenith = {0.045f, 0.06f, 0.17f},
+                   .horizon = {0.3f, 0.17f, 0.17f},
+                   .ground = {0.03f, 0.03f, 0.04f},
+                   .clouds = 0.3f,
+                   .cloud = {0.17f, 0.11f, 0.14f},
+                   .stars = 0.05f,
+                   .seed = 7};
+    shape.discs = {{.direction = {-0.6f, -0.05f, -1}, .radius = 0, .halo = {0.5f, 0.18f, 0.06f}, .halo_width = 0.5f},
+                   {.direction = {-0.13f, 0.36f, -1},
+                    .colour = {0.95f, 0.9f, 0.78f},
+                    .radius = 0.025f,
+                    .halo = {0.1f, 0.09f, 0.09f},
+                    .halo_width = 0.09f}};
+    return std::make_shared<const Sky>(make_sky(shape));
+  }();
+  return sky;
+}
+
 /// An alley of brick walls at dusk. A door stands in its middle, another at its end on the side: the alley goes on in
 /// itself. Copper lanterns.
 Scene alley() {
   Scene scene{.name = "alley"};
   scene.ambient = {0.05f, 0.055f, 0.08f};
-  scene.background = {0.09f, 0.1f, 0.2f};
+  scene.sky = dusk();
   const Material rough{.name = "bricks", .diffuse = glm::vec3(0.95f), .specular = glm::vec3(0.05f), .exponent = 20};
   const int bricks = add_relief(scene, rough, make_bricks({.size = 256, .columns = 3, .rows = 6}), true);
   const Material glazed{.name = "paving", .diffuse = glm::vec3(0.7f), .specular = glm::vec3(0.3f), .exponent = 80};
