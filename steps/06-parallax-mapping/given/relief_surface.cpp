@@ -60,6 +60,13 @@ std::vector<OutputSpec> parallax_outputs() {
   return {{"recorded_height", Encoding::data, "nearness as a height, 0 to 1: a height map of what is seen"}};
 }
 
+glm::dvec2 recorded_range(const Settings& settings) {
+  const glm::dvec2 range(settings.real("recorded.nearest"), settings.real("recorded.farthest"));
+  if (!(float(range.x) < float(range.y)))
+    throw Error(fmt::format("recorded.farthest: {} (allowed: more than recorded.nearest, {})", range.y, range.x));
+  return range;
+}
+
 void ReliefSurface::configure(const Settings& settings) {
   const std::string& method = settings.choice("parallax.method");
   method_ = method == "offset"      ? Method::offset
@@ -78,9 +85,7 @@ void ReliefSurface::configure(const Settings& settings) {
   silhouette_ = settings.flag("parallax.silhouette") && method_ != Method::none && method_ != Method::offset;
   derivatives_ = settings.choice("normal.tangents") == "derivative";
   filter_ = settings.choice("texture.filter");
-  recorded_ = {settings.real("recorded.nearest"), settings.real("recorded.farthest")};
-  if (!(recorded_.x < recorded_.y))
-    throw Error(fmt::format("recorded.farthest: {} (allowed: more than recorded.nearest, {})", recorded_.y, recorded_.x));
+  recorded_ = glm::vec2(recorded_range(settings));
 }
 
 bool ReliefSurface::has_relief(const Scene& scene, const Material& material) const {

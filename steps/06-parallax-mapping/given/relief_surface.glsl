@@ -30,7 +30,8 @@ bool outside_relief = false;
 #ifdef SILHOUETTE
 // How much the surface turns on the way of the ray along it: its normal curvature, 1/m, positive where it is convex.
 // The way is x pixels to the right and y up, up to a factor, by Cramer's rule with cross products: they keep their
-// digits where the surface is seen from its edge. 0 where neighbouring pixels show one point.
+// digits where the surface is seen from its edge. 0 where neighbouring pixels show one point. Takes derivatives: call
+// it before any return that only some pixels take.
 float curvature_along(vec3 way, vec3 normal, vec3 position) {
   vec3 right = dFdx(position), up = dFdy(position), area = cross(right, up);
   float x = dot(cross(way, up), area), y = dot(cross(right, way), area);
@@ -88,13 +89,16 @@ void find_relief(inout Surface surface) {
   relief_normal = surface.normal_world;
   relief_tangent = tangent_at(surface);
   relief_texcoord = surface.texcoord;
+#ifdef SILHOUETTE
+  vec3 normal = normalize(surface.normal_world), way = surface.position_world - surface.eye_world;
+  way -= dot(way, normal) * normal;
+  float curvature = curvature_along(way, normal, surface.position_world);
+#endif
   if (relief_tangent.xyz == vec3(0.0)) return;  // no frame: the surface stays flat
   vec3 to_eye = normalize(to_tangent_space(relief_normal, relief_tangent, surface.eye_world - surface.position_world));
   vec2 span = parallax_span(to_eye, u_depth);
 #ifdef SILHOUETTE
-  vec3 normal = normalize(surface.normal_world), way = surface.position_world - surface.eye_world;
-  way -= dot(way, normal) * normal;
-  bend = ray_bend(span, u_depth, side, curvature_along(way, normal, surface.position_world));
+  bend = ray_bend(span, u_depth, side, curvature);
 #endif
   float t = relief_hit(surface.texcoord, span, bend);
 #ifdef SILHOUETTE

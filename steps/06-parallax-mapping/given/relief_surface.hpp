@@ -14,6 +14,9 @@ std::vector<SettingSpec> parallax_settings();
 /// The output "recorded_height".
 std::vector<OutputSpec> parallax_outputs();
 
+/// "recorded.nearest" and "recorded.farthest", metres. Throws Error unless the first is smaller, rounded to floats.
+glm::dvec2 recorded_range(const Settings& settings);
+
 /// Moves the texture coordinate of surfaces whose material has a height texture to where the ray from the eye meets the
 /// relief, and with it the position, so that lights find the point there. Left out: reliefs of depth 0, and height
 /// textures that are 1 everywhere. Must be listed before what reads texture coordinates, and lights.

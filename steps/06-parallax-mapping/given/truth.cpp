@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "05-normal-mapping/given/truth.hpp"
+#include "06-parallax-mapping/given/relief_surface.hpp"
 #include "06-parallax-mapping/given/scenes.hpp"
 #include "app/picture.hpp"
 #include "oracle/frame.hpp"
@@ -60,25 +61,25 @@ Mesh round_relief_of(const Mesh& wall, const Texture& heights, double depth) {
   return mesh;
 }
 
-/// The height of what is seen: linear in the distance along the view direction.
-oracle::SurfaceColour height_in_view(const Camera& camera, const Settings& settings) {
+/// The height of what is seen: linear in the distance along the view direction, 1 at range.x metres, 0 at range.y.
+oracle::SurfaceColour height_in_view(const Camera& camera, const glm::dvec2& range) {
   const glm::dvec3 ahead = oracle::view_frame(camera.target - camera.eye, glm::dvec3(camera.up)).ahead;
-  const double nearest = settings.real("recorded.nearest"), farthest = settings.real("recorded.farthest");
   return [=](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3& eye) {
     const double distance = glm::dot(point.position - eye, ahead);
-    return glm::dvec3(std::clamp((farthest - distance) / (farthest - nearest), 0.0, 1.0));
+    return glm::dvec3(std::clamp((range.y - distance) / (range.y - range.x), 0.0, 1.0));
   };
 }
 
 }  // namespace
 
 SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
+  const glm::dvec2 range = recorded_range(settings);
   if (!model) model = make_scene(parallax_scenes(), request.scene, settings);
   SceneTruth truth = normal_mapping_truth(request, settings, std::move(model));
   if (request.output == "recorded_height") {
     truth.output = "colour";
     set_background(truth.scene, glm::vec3(0));
-    truth.shading.surface = height_in_view(apply(request.camera, truth.scene.camera), settings);
+    truth.shading.surface = height_in_view(apply(request.camera, truth.scene.camera), range);
   }
   if (settings.choice("parallax.method") == "none" || settings.real("parallax.depth") == 0) return truth;
   const std::vector<glm::dmat4> world = world_matrices_exact(truth.scene.nodes);

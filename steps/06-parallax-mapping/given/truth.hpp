@@ -9,7 +9,8 @@ namespace atelier {
 /// height field, a bilinear patch for each square of four texels, and every node called round_relief_node by a fine
 /// mesh of its points; other surfaces stay as flat as their triangles. Ignored: all settings that only trade accuracy
 /// for speed. "parallax.method" none and "parallax.depth" 0 leave the surface flat; "parallax.shadow_samples" 0 leaves
-/// out the relief's shadows. Throws Error for an unknown scene.
+/// out the relief's shadows. Throws Error for an unknown scene, and for a range of recorded heights that the program
+/// refuses (recorded_range).
 SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
 }  // namespace atelier
