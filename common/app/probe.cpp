@@ -95,22 +95,6 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   return {value.r, value.g, value.b, value.a};
 }
 
-Numbers numbers_of(const glm::vec2& vector) {
-  return {vector.x, vector.y};
-}
-Numbers numbers_of(const glm::vec3& vector) {
-  return {vector.x, vector.y, vector.z};
-}
-Numbers numbers_of(const glm::vec4& vector) {
-  return {vector.x, vector.y, vector.z, vector.w};
-}
-Numbers numbers_of(const glm::mat4& matrix) {
-  Numbers numbers;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) numbers.push_back(matrix[column][row]);
-  return numbers;
-}
-
 Probe shader_probe(std::string preamble, std::string expression, int components) {
   return [=](ProbeContext& context, const Arguments& arguments) {
     const glm::vec4 value = context.shaders.evaluate(preamble, expression, arguments);

@@ -48,11 +48,21 @@ void append(Numbers& numbers, const Values& more) {
   numbers.insert(numbers.end(), std::begin(more), std::end(more));
 }
 
-/// The numbers of a vector, or of a matrix, column by column.
-Numbers numbers_of(const glm::vec2& vector);
-Numbers numbers_of(const glm::vec3& vector);
-Numbers numbers_of(const glm::vec4& vector);
-Numbers numbers_of(const glm::mat4& matrix);
+/// The numbers of a vector.
+template <int N, class T>
+Numbers numbers_of(const glm::vec<N, T>& vector) {
+  Numbers numbers;
+  for (int i = 0; i < N; ++i) numbers.push_back(double(vector[i]));
+  return numbers;
+}
+
+/// Those of a matrix, column by column.
+template <int C, int R, class T>
+Numbers numbers_of(const glm::mat<C, R, T>& matrix) {
+  Numbers numbers;
+  for (int column = 0; column < C; ++column) append(numbers, numbers_of(matrix[column]));
+  return numbers;
+}
 
 /// {1} if the call throws std::invalid_argument, as contracts require where they refuse; {0} if it returns.
 template <class Call>

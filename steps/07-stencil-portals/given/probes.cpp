@@ -13,17 +13,6 @@ namespace {
 
 using namespace stencil_portals;
 
-Numbers numbers_of_doubles(const glm::dmat4& matrix) {
-  Numbers out;
-  for (int column = 0; column < 4; ++column)
-    for (int row = 0; row < 4; ++row) out.push_back(matrix[column][row]);
-  return out;
-}
-
-Numbers numbers_of_doubles(const glm::dvec4& v) {
-  return {v.x, v.y, v.z, v.w};
-}
-
 // ---- Stencil
 
 constexpr int columns = 8;  ///< of a picture one pixel high
@@ -104,8 +93,7 @@ Numbers probe_rectangle(ProbeContext&, const Arguments& in) {
   for (std::size_t i = 0; i + 4 <= flat.size(); i += 4)
     corners.emplace_back(flat[i], flat[i + 1], flat[i + 2], flat[i + 3]);
   const auto found = opening_rectangle(corners, glm::ivec2(in.vec2("size")), glm::ivec4(in.vec4("around")));
-  if (!found) return {-1, -1, -1, -1};
-  return {double(found->x), double(found->y), double(found->z), double(found->w)};
+  return found ? numbers_of(*found) : Numbers{-1, -1, -1, -1};
 }
 
 Numbers probe_carried(ProbeContext&, const Arguments& in) {
@@ -124,19 +112,17 @@ std::map<std::string, Probe> portal_probes() {
   return {
       {"portal_passage",
        [](ProbeContext&, const Arguments& in) {
-         return numbers_of_doubles(portal_passage(in.mat4("entry_to_world"), in.mat4("exit_to_world")));
+         return numbers_of(portal_passage(in.mat4("entry_to_world"), in.mat4("exit_to_world")));
        }},
       {"mirror_passage",
-       [](ProbeContext&, const Arguments& in) {
-         return numbers_of_doubles(mirror_passage(in.mat4("mirror_to_world")));
-       }},
+       [](ProbeContext&, const Arguments& in) { return numbers_of(mirror_passage(in.mat4("mirror_to_world"))); }},
       {"virtual_view",
        [](ProbeContext&, const Arguments& in) {
          return numbers_of(virtual_view(glm::mat4(in.mat4("world_to_view")), in.mat4("passage")));
        }},
       {"opening_plane",
        [](ProbeContext&, const Arguments& in) {
-         return numbers_of_doubles(opening_plane(in.mat4("frame_to_world"), in.number("from_behind") > 0.5));
+         return numbers_of(opening_plane(in.mat4("frame_to_world"), in.number("from_behind") > 0.5));
        }},
       {"begin_mark", probe_mark},
       {"begin_restore", probe_restore},
