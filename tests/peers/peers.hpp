@@ -12,6 +12,7 @@ struct Peer {
   std::string missing;            ///< the package to install, if the program was built without it; `run` is empty then
   std::function<void()> run;      ///< timed
   std::function<void()> prepare;  ///< called before each run, untimed; may be empty
+  std::function<void()> check;  ///< called after each run, untimed; throws Error if the work was not done; may be empty
 };
 
 struct Row {
@@ -21,9 +22,11 @@ struct Row {
   double aim = 0;  ///< how many times faster than the peer ours should be; 0: no aim
 };
 
-/// The whole program: in each of N rounds runs every row's peer and then ours, after one untimed run of each, and
-/// writes the seconds as JSON to standard output: {"rows": [{"work", "peer", "aim", "ours": [..], "theirs": [..]}]},
-/// with "missing" instead of "theirs" where the peer is. The command line is [N]; default 5. Returns the exit status.
-int compare(const std::vector<Row>& rows, int argc, char** argv);
+/// The whole program. For each row runs ours and the peer in each of N rounds, in alternating order, after one untimed
+/// run of each, and writes the seconds as JSON to standard output:
+/// {"rows": [{"work", "peer", "aim", "ours": [..], "theirs": [..]}]}, with "missing" instead of "theirs" where the peer
+/// is. The command line is [N]; default 5. Returns the exit status: 2 for another command line, 1 with a message where
+/// anything throws.
+int compare(const std::function<std::vector<Row>()>& make_rows, int argc, char** argv);
 
 }  // namespace atelier::peers

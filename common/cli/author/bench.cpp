@@ -67,9 +67,9 @@ int run_bench(const BenchOptions& options) {
     figures.insert(figures.end(), parts.begin(), parts.end());
   }
   const std::optional<BaselineTable> table = bench_baseline(folders, step, options.repeats);
-  const std::vector<PeerRow> peers = bench_peers(folders, step, options.repeats);
-  if (options.baseline && !table && peers.empty())
-    throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
+  std::vector<PeerRow> peers;
+  if (table && table->plan.peers) peers = bench_peers(folders, step, options.repeats);
+  if (options.baseline && !table) throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
   if (options.json) {
     print_json(figures, table, peers);
   } else {

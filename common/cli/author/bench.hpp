@@ -5,6 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/commands.hpp"
@@ -52,8 +53,12 @@ struct PeerRow {
   double ratio = 0, least = 0, most = 0;  ///< theirs / ours, per round: median and range
   double aim = 0;                         ///< 0: none
 };
-/// Empty if the step has no such program. Throws Error if it fails.
+/// Runs the step's program of tests/peers with `repeats` rounds. Throws Error if it is not built, fails, or takes
+/// longer than two minutes and one more for each round.
 std::vector<PeerRow> bench_peers(const ProjectFolders& folders, const CourseStep& step, int repeats);
+/// What such a program writes (tests/peers/peers.hpp) after this many rounds; every error message begins with `where`.
+/// Throws Error naming the member and what is allowed.
+std::vector<PeerRow> parse_peers(std::string_view text, int rounds, const std::string& where);
 void print_peers(const std::vector<PeerRow>& rows);
 nlohmann::ordered_json peers_as_json(const std::vector<PeerRow>& rows);
 

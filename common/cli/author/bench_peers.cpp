@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <chrono>
 
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "base/process.hpp"
+#include "base/strict_json.hpp"
 #include "cli/author/bench.hpp"
 #include "measure/median.hpp"
 
@@ -14,18 +16,44 @@ namespace {
 
 namespace fs = std::filesystem;
 using measure::median;
+using std::chrono::seconds;
+using strict_json::Json;
 
-/// From what the program writes (tests/peers/peers.hpp).
-PeerRow row_of(const nlohmann::json& json) {
-  PeerRow row{.work = json.at("work"), .peer = json.at("peer"), .aim = json.value("aim", 0.0)};
-  const auto ours = json.at("ours").get<std::vector<double>>();
+/// Of a program with this many rounds: some ten times what the slowest takes.
+seconds time_limit(int rounds) {
+  return seconds(120) + rounds * seconds(60);
+}
+
+/// The member `name` of a row: seconds, one number for each round.
+std::vector<double> times_of(const Json& row, const char* name, int rounds, const std::string& where) {
+  const std::string place = where + ": " + name;
+  const Json& list = strict_json::required(row, name, where);
+  if (!list.is_array() || list.size() != std::size_t(rounds))
+    strict_json::refuse(list, place, fmt::format("a list of {} numbers, one for each round", rounds));
+  std::vector<double> times;
+  for (const Json& time : list) times.push_back(strict_json::number(time, place, 1e-9, 1e6));
+  return times;
+}
+
+PeerRow row_of(const Json& json, int rounds, const std::string& where) {
+  const bool missing = json.contains("missing");
+  strict_json::refuse_unknown(json, {"work", "peer", "aim", "ours", missing ? "missing" : "theirs"}, where);
+  const auto text = [&](const char* name) {
+    return strict_json::text(strict_json::required(json, name, where), where + ": " + name);
+  };
+  PeerRow row{.work = text("work"), .peer = text("peer")};
+  if (const Json* aim = strict_json::optional(json, "aim"))
+    row.aim = strict_json::number(*aim, where + ": aim", 0.1, 100);
+  const std::vector<double> ours = times_of(json, "ours", rounds, where);
   row.ours = median(ours);
-  row.missing = json.value("missing", "");
-  if (!row.missing.empty()) return row;
-  const auto theirs = json.at("theirs").get<std::vector<double>>();
+  if (missing) {
+    row.missing = text("missing");
+    return row;
+  }
+  const std::vector<double> theirs = times_of(json, "theirs", rounds, where);
   row.theirs = median(theirs);
   std::vector<double> ratios;
-  for (std::size_t round = 0; round < ours.size(); ++round) ratios.push_back(theirs.at(round) / ours[round]);
+  for (std::size_t round = 0; round < ours.size(); ++round) ratios.push_back(theirs[round] / ours[round]);
   row.ratio = median(ratios);
   row.least = *std::ranges::min_element(ratios);
   row.most = *std::ranges::max_element(ratios);
@@ -34,19 +62,29 @@ PeerRow row_of(const nlohmann::json& json) {
 
 }  // namespace
 
+std::vector<PeerRow> parse_peers(std::string_view text, int rounds, const std::string& where) {
+  const Json document = strict_json::parse(text, where);
+  strict_json::refuse_unknown(document, {"rows"}, where);
+  const Json& list = strict_json::required(document, "rows", where);
+  if (!list.is_array() || list.empty()) strict_json::refuse(list, where + ": rows", "a list of at least one row");
+  std::vector<PeerRow> rows;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    rows.push_back(row_of(list[i], rounds, fmt::format("{}: row {}", where, i + 1)));
+  return rows;
+}
+
 std::vector<PeerRow> bench_peers(const ProjectFolders& folders, const CourseStep& step, int repeats) {
   const fs::path program = folders.program("peers-" + step.name);
-  if (!fs::exists(program)) return {};
-  const Finished run = run_process({.arguments = {program.string(), std::to_string(repeats)}});
-  if (!run.ok()) throw Error(fmt::format("{} failed: {}", program.string(), run.output.substr(0, 500)));
-  std::vector<PeerRow> rows;
-  try {
-    const nlohmann::json written = nlohmann::json::parse(run.output);
-    for (const auto& json : written.at("rows")) rows.push_back(row_of(json));
-  } catch (const nlohmann::json::exception& wrong) {
-    throw Error(fmt::format("{} wrote no rows: {}", program.string(), wrong.what()));
-  }
-  return rows;
+  const std::string name = program.string();
+  if (!fs::exists(program)) throw Error(fmt::format("{}: is missing: build the target 'baselines'", name));
+  const Finished run = run_process({.arguments = {name, std::to_string(repeats)}, .time_limit = time_limit(repeats)});
+  if (run.timed_out)
+    throw Error(fmt::format("{}: took longer than {} s for {} rounds and was killed", name, time_limit(repeats).count(),
+                            repeats));
+  if (run.signal != 0) throw Error(fmt::format("{}: crashed: {}", name, signal_name(run.signal)));
+  if (!run.ok())
+    throw Error(fmt::format("{}: exit status {}: {}", name, run.exit_status, shorten(printable(run.output), 600)));
+  return parse_peers(run.output, repeats, name);
 }
 
 void print_peers(const std::vector<PeerRow>& rows) {

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "05-normal-mapping/normal_mapping.hpp"
+#include "base/error.hpp"
 #include "peers/peers.hpp"
 #include "scene/shapes.hpp"
 #include "scene/standard_tangents.hpp"
@@ -37,18 +38,31 @@ std::string as_obj(const Mesh& mesh) {
   return text;
 }
 
+/// Throws Error unless every corner of the mesh has a tangent of unit length.
+void check_tangents(const aiMesh& mesh) {
+  if (!mesh.HasTangentsAndBitangents()) throw Error("assimp computed no tangents");
+  for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+    if (!(std::abs(mesh.mTangents[i].Length() - 1) < 1e-3f))
+      throw Error(fmt::format("assimp: the tangent of corner {} has the length {}", i, mesh.mTangents[i].Length()));
+}
+
 Peer assimp(const Mesh& mesh) {
   const auto importer = std::make_shared<Assimp::Importer>();
   const std::string text = as_obj(mesh);
   const aiScene* scene = importer->ReadFileFromMemory(text.data(), text.size(), 0, "obj");
-  if (!scene) throw std::runtime_error(importer->GetErrorString());
+  if (!scene) throw Error(fmt::format("assimp: {}", importer->GetErrorString()));
+  if (scene->mNumMeshes != 1 || scene->mMeshes[0]->mNumFaces != mesh.indices.size() / 3)
+    throw Error(fmt::format("assimp read {} meshes, {} faces in the first, from one of {} triangles", scene->mNumMeshes,
+                            scene->mNumMeshes > 0 ? scene->mMeshes[0]->mNumFaces : 0, mesh.indices.size() / 3));
   aiMesh* read = scene->mMeshes[0];
   return {.name = fmt::format("assimp {}.{}, CalcTangentSpace", aiGetVersionMajor(), aiGetVersionMinor()),
           .run = [importer] { importer->ApplyPostProcessing(aiProcess_CalcTangentSpace); },
-          .prepare = [read] {  // it computes none where there are some
-            delete[] std::exchange(read->mTangents, nullptr);
-            delete[] std::exchange(read->mBitangents, nullptr);
-          }};
+          .prepare =
+              [read] {  // it computes none where there are some
+                delete[] std::exchange(read->mTangents, nullptr);
+                delete[] std::exchange(read->mBitangents, nullptr);
+              },
+          .check = [read] { check_tangents(*read); }};
 }
 
 #else
@@ -59,20 +73,15 @@ Peer assimp(const Mesh&) {
 
 #endif
 
-}  // namespace
-
-}  // namespace atelier::peers
-
-int main(int argc, char** argv) {
-  using namespace atelier;
-  std::vector<peers::Row> rows;
+std::vector<Row> rows_of_tangents() {
+  std::vector<Row> rows;
   struct Size {
     const char* name;
     int segments, sides;
   };
   for (const Size& size : {Size{"10k", 100, 50}, {"100k", 316, 158}, {"1M", 1000, 500}}) {
     const auto mesh = std::make_shared<Mesh>(make_torus({.segments = size.segments, .sides = size.sides}));
-    const peers::Peer peer = peers::assimp(*mesh);
+    const Peer peer = assimp(*mesh);
     rows.push_back({.work = fmt::format("vertex_tangents, {} triangles", size.name),
                     .ours = [mesh] { normal_mapping::vertex_tangents(*mesh); },
                     .peer = peer,
@@ -81,5 +90,13 @@ int main(int argc, char** argv) {
                     .ours = [mesh] { standard_tangents(*mesh); },
                     .peer = peer});
   }
-  return peers::compare(rows, argc, argv);
+  return rows;
+}
+
+}  // namespace
+
+}  // namespace atelier::peers
+
+int main(int argc, char** argv) {
+  return atelier::peers::compare(atelier::peers::rows_of_tangents, argc, argv);
 }
