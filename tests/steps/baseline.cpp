@@ -1,9 +1,9 @@
 // Baselines draw the same pictures as the steps, without which a comparison of times is meaningless; and the comparison
 // is complete. No time is asserted on.
-#include <set>
+#include <filesystem>
+#include <map>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "catch.hpp"
 #include "cli/search_path.hpp"
 #include "command.hpp"
@@ -35,35 +35,48 @@ std::vector<Rivals> rivals() {
   return all;
 }
 
-Image drawn(const measure::Program& program, const Rivals& r, const std::string& output, bool ours) {
-  Case picture{.name = "picture", .scene = r.plan.scene, .size = {200, 150}, .output = output};
-  if (ours) picture.settings = r.plan.rows.front().settings;
-  // A relief so flat that neither program's number of layers is seen.
-  if (r.plan.metric == ErrorMetric::distance) picture.settings["parallax.depth"] = 0.002;
+using SettingValues = std::map<std::string, SettingValue>;
+
+Image drawn(const measure::Program& program, const Rivals& r, const std::string& output,
+            const SettingValues& settings) {
+  const Case picture{
+      .name = "picture", .scene = r.plan.scene, .size = {200, 150}, .settings = settings, .output = output};
   return measure::draw(program, {picture}).front().picture;
 }
 
-}  // namespace
+/// Whether the output that is compared is the point where a ray meets a relief.
+bool follows_relief(const Rivals& r) {
+  return r.plan.metric == ErrorMetric::distance;
+}
 
-namespace {
+/// How far the output that a plan compares may differ.
+struct Tolerance {
+  double alike = 0;  ///< between two programs that draw the same
+  double error = 0;  ///< from the ground truth, with all settings of the plan
+};
 
-/// How far the output that a plan compares may differ between two programs that draw the same.
-double alike(ErrorMetric metric) {
+Tolerance tolerance_of(ErrorMetric metric) {
   switch (metric) {
     // Faces that turn away from the light are in each program's shadow as its bias has it, and dark in both: the demo
-    // of the sun shows one from below, 1.5 % of the picture.
+    // of the sun shows one from below, 1.5 % of the picture. The largest error is that of the demo, 1.6 %.
     case ErrorMetric::wrong:
-      return 0.02;
-    // The same maps and frames: only rounding, and the order of interpolation.
+      return {.alike = 0.02, .error = 0.05};
+    // Alike: the same maps and frames, so only rounding, and the order of interpolation. Errors: three times those of
+    // normals in 8 bits, 0.33; without a normal map it is 14.
     case ErrorMetric::degrees:
-      return 0.1;
-    // Other layers, so other points at the bricks' sides: a twentieth of the relief's depth.
+      return {.alike = 0.1, .error = 1};
+    // Alike: other layers, so other points at the bricks' sides, a twentieth of the depth of 0.002. Errors: up to 0.03,
+    // most of it from pixels along the wall's outline that one of the two discards; without the relief it is 0.14.
     case ErrorMetric::distance:
-      return 1e-4;
+      return {.alike = 1e-4, .error = 0.05};
     default:
-      throw Error("a baseline with a metric that no other has: say how alike the programs are");
+      throw Error("a baseline with a metric that no other has: say how large its differences may be");
   }
 }
+
+/// Of colours, from the ground truth: twice that of normal maps in 8 bits, 0.014; without normal maps or reliefs it is
+/// 0.04 to 0.06.
+constexpr double largest_rmse = 0.03;
 
 }  // namespace
 
@@ -71,17 +84,60 @@ TEST_CASE("with the same settings a baseline and the step's program draw the sam
   REQUIRE(rivals().size() == 4);
   for (const Rivals& r : rivals()) {
     INFO(r.step.name);
-    const Image colour = drawn(r.theirs, r, "colour", false), output = drawn(r.theirs, r, r.plan.output, false);
+    SettingValues ours = r.plan.rows.front().settings, theirs;
+    // A relief so flat that neither program's number of layers is seen.
+    if (follows_relief(r)) ours["parallax.depth"] = theirs["parallax.depth"] = 0.002;
+    const Image colour = drawn(r.theirs, r, "colour", theirs), output = drawn(r.theirs, r, r.plan.output, theirs);
     // Mipmaps, rounding and the formulas of the biases differ, along the shadows' edges most: under one level of 255
     // on the whole. A wrong light, material or camera differs by ten times that.
-    CHECK(error_of(drawn(r.ours, r, "colour", true), colour, ErrorMetric::rmse) < 0.004);
-    const double tolerance = alike(r.plan.metric);
-    CHECK(error_of(drawn(r.ours, r, r.plan.output, true), output, r.plan.metric, Encoding::data) < tolerance);
+    CHECK(error_of(drawn(r.ours, r, "colour", ours), colour, ErrorMetric::rmse) < 0.004);
+    const double tolerance = tolerance_of(r.plan.metric).alike;
+    CHECK(error_of(drawn(r.ours, r, r.plan.output, ours), output, r.plan.metric, Encoding::data) < tolerance);
     // And there is something that could have been wrong: a shadow, a relief, a texture.
     const Image nothing(200, 150, Rgba{1, 1, 1, 1});
     CHECK(error_of(nothing, output, r.plan.metric, Encoding::data) > tolerance);
   }
 }
+
+TEST_CASE("a baseline sees the points of reliefs of any depth where the step's program sees them", "[baseline]") {
+  int reliefs = 0;
+  for (const Rivals& r : rivals()) {
+    if (!follows_relief(r)) continue;
+    ++reliefs;
+    for (const double depth : {0.01, 0.03, 0.06}) {
+      INFO(r.step.name << ", depth " << depth);
+      const Image theirs = drawn(r.theirs, r, r.plan.output, {{"parallax.depth", depth}});
+      SettingValues settings = r.plan.rows.front().settings;
+      settings["parallax.depth"] = depth;
+      const Image ours = drawn(r.ours, r, r.plan.output, settings);
+      settings["parallax.method"] = std::string("none");
+      const Image flat = drawn(r.ours, r, r.plan.output, settings);
+      // The median, in pixels: 0.0006 at most. A relief whose depth is a fifth less moves the points by 0.03 and more.
+      CHECK(error_of(ours, theirs, ErrorMetric::displacement, Encoding::data) < 0.005);
+      CHECK(error_of(flat, theirs, ErrorMetric::displacement, Encoding::data) > 0.1);
+      // Pixels whose ray passes a brick between two layers of one program, or leaves the wall in one: 0.9 % at most.
+      CHECK(error_of(ours, theirs, ErrorMetric::misclassified, Encoding::data) < 0.02);
+    }
+  }
+  CHECK(reliefs == 1);
+}
+
+namespace {
+
+/// The rows of a comparison with other packages in one round.
+void check_peers(const nlohmann::json& rows) {
+  CHECK(!rows.empty());
+  for (const auto& row : rows) {
+    INFO(row.dump());
+    CHECK(!row["work"].get<std::string>().empty());
+    CHECK(row["ours"].get<double>() > 0);
+    if (row.contains("missing")) continue;  // the package is optional
+    CHECK(row["theirs"].get<double>() > 0);
+    CHECK(row["least"].get<double>() == row["ratio"].get<double>());  // of one round
+  }
+}
+
+}  // namespace
 
 TEST_CASE("the comparison with a baseline is complete", "[baseline]") {
   for (const Rivals& r : rivals()) {
@@ -97,7 +153,9 @@ TEST_CASE("the comparison with a baseline is complete", "[baseline]") {
     for (std::size_t i = 0; i < rows.size(); ++i) {
       CHECK(rows[i]["seconds"].get<double>() > 0);
       CHECK(rows[i]["rmse"].get<double>() > 0);  // a picture of OpenGL's is never the truth to the last bit
+      CHECK(rows[i]["rmse"].get<double>() < largest_rmse);
       CHECK(rows[i]["error"].get<double>() > 0);
+      CHECK(rows[i]["error"].get<double>() < tolerance_of(r.plan.metric).error);
       if (i < baselines) continue;
       const measure::BaselineRow& planned = r.plan.rows[i - baselines];
       CHECK(rows[i]["name"] == planned.name);
@@ -106,7 +164,8 @@ TEST_CASE("the comparison with a baseline is complete", "[baseline]") {
       CHECK(rows[i].contains("reached") == (planned.aim > 0));
     }
     CHECK(run.json["figures"].empty());
-    CHECK(run.json.contains("peers") == r.step.name.starts_with("05"));
+    REQUIRE(run.json.contains("peers") == r.plan.peers);
+    if (r.plan.peers) check_peers(run.json["peers"]);
   }
 }
 
@@ -115,19 +174,4 @@ TEST_CASE("a step without a baseline has nothing to compare", "[baseline]") {
   INFO(run.output);
   CHECK(run.exit_status == 2);
   CHECK(mentions(run.output, {"--baseline", "01-transforms"}));
-}
-
-TEST_CASE("the comparison with other packages is complete", "[baseline]") {
-  const Printed run = printed({"bench", "05", "--baseline", "--repeats", "1", "--json"});
-  REQUIRE(run.exit_status == 0);
-  const auto& rows = run.json["peers"];
-  REQUIRE(rows.size() == 6);  // two functions, three sizes
-  for (const auto& row : rows) {
-    INFO(row.dump());
-    CHECK(mentions(row["work"].get<std::string>(), {"tangents", "triangles"}));
-    CHECK(row["ours"].get<double>() > 0);
-    if (row.contains("missing")) continue;  // the package is optional
-    CHECK(row["theirs"].get<double>() > 0);
-    CHECK(row["least"].get<double>() == row["ratio"].get<double>());  // of one round
-  }
 }
