@@ -50,12 +50,12 @@ bool follows_relief(const Rivals& r) {
 }
 
 /// How far the output that a plan compares may differ.
-struct Tolerance {
+struct Allowed {
   double alike = 0;  ///< between two programs that draw the same
   double error = 0;  ///< from the ground truth, with all settings of the plan
 };
 
-Tolerance tolerance_of(ErrorMetric metric) {
+Allowed allowed_for(ErrorMetric metric) {
   switch (metric) {
     // Faces that turn away from the light are in each program's shadow as its bias has it, and dark in both: the demo
     // of the sun shows one from below, 1.5 % of the picture. The largest error is that of the demo, 1.6 %.
@@ -91,7 +91,7 @@ TEST_CASE("with the same settings a baseline and the step's program draw the sam
     // Mipmaps, rounding and the formulas of the biases differ, along the shadows' edges most: under one level of 255
     // on the whole. A wrong light, material or camera differs by ten times that.
     CHECK(error_of(drawn(r.ours, r, "colour", ours), colour, ErrorMetric::rmse) < 0.004);
-    const double tolerance = tolerance_of(r.plan.metric).alike;
+    const double tolerance = allowed_for(r.plan.metric).alike;
     CHECK(error_of(drawn(r.ours, r, r.plan.output, ours), output, r.plan.metric, Encoding::data) < tolerance);
     // And there is something that could have been wrong: a shadow, a relief, a texture.
     const Image nothing(200, 150, Rgba{1, 1, 1, 1});
@@ -155,7 +155,7 @@ TEST_CASE("the comparison with a baseline is complete", "[baseline]") {
       CHECK(rows[i]["rmse"].get<double>() > 0);  // a picture of OpenGL's is never the truth to the last bit
       CHECK(rows[i]["rmse"].get<double>() < largest_rmse);
       CHECK(rows[i]["error"].get<double>() > 0);
-      CHECK(rows[i]["error"].get<double>() < tolerance_of(r.plan.metric).error);
+      CHECK(rows[i]["error"].get<double>() < allowed_for(r.plan.metric).error);
       if (i < baselines) continue;
       const measure::BaselineRow& planned = r.plan.rows[i - baselines];
       CHECK(rows[i]["name"] == planned.name);

@@ -16,12 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 using measure::median;
-using std::chrono::seconds;
 using strict_json::Json;
 
 /// Of a program with this many rounds: some ten times what the slowest takes.
-seconds time_limit(int rounds) {
-  return seconds(120) + rounds * seconds(60);
+std::chrono::seconds time_limit(int rounds) {
+  return std::chrono::seconds(120 + 60 * rounds);
 }
 
 /// The member `name` of a row: seconds, one number for each round.
