@@ -33,7 +33,7 @@ int pixels_that_differ(const Image& a, const Image& b, float by) {
 
 }  // namespace
 
-TEST_CASE("openings that are not seen cost nothing", "[required][07-stencil-portals]") {
+TEST_CASE("openings that cannot be seen cost nothing", "[required][07-stencil-portals]") {
   const glm::dvec3 eye(0.5, 1.5, 3);
   check_costs(portal_step,
               {
@@ -48,6 +48,22 @@ TEST_CASE("openings that are not seen cost nothing", "[required][07-stencil-port
                    {{"nodes", 22}}},
                   {"a chain of 16", picture("corridor", {{"portals.depth", 16}}), {{"nodes", 187}}},
                   {"no portal", picture("room"), {{"passes", 1}}},
+              });
+}
+
+TEST_CASE("light and bodies that do not go through cost nothing", "[required][07-stencil-portals]") {
+  const auto astride = [](double way, bool lights) {
+    return picture("astride", {{"body.way", way}, {"portals.lights", lights}, {"portals.depth", 0}});
+  };
+  check_costs(portal_step,
+              {
+                  {"lights of the scene alone", astride(0.5, false), {{"lights", 2}}},
+                  {"and two images of each", astride(0.5, true), {{"lights", 6}}},
+                  {"a body before the door", astride(0, false), {{"nodes", 15}}},
+                  {"a body in the door, in two parts", astride(0.5, false), {{"nodes", 16}}},
+                  {"a body that has gone through", astride(1, false), {{"nodes", 15}}},
+                  {"lights that cast no shadow", picture("rooms", {{"portals.lights", true}}), {{"lookups", 0}}},
+                  {"no sky", rooms(), {{"skies", 0}}},
               });
 }
 

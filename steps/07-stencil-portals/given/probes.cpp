@@ -105,6 +105,38 @@ Numbers probe_carried(ProbeContext&, const Arguments& in) {
           after.up.x,  after.up.y,  after.up.z,  after.fov_y,    double(after.near), double(after.far)};
 }
 
+// ---- Light and bodies
+
+/// "type": 0 point, 1 spot, 2 directional.
+Numbers probe_light_image(ProbeContext&, const Arguments& in) {
+  Light light{
+      .type = std::array{LightType::point, LightType::spot, LightType::directional}.at(std::size_t(in.integer("type"))),
+      .position = in.vec3("position"),
+      .direction = glm::vec3(in.vec3("direction")),
+      .colour = {3, 2, 1},
+      .attenuation = {0.25f, 0.5f, 0.75f},
+      .inner_angle = 0.25f,
+      .outer_angle = 0.75f,
+      .casts_shadow = false};
+  const Light image = light_image(light, in.mat4("passage"));
+  Numbers out = numbers_of(image.position);
+  append(out, numbers_of(image.direction));
+  out.push_back(double(image.type));
+  append(out, numbers_of(image.colour));
+  append(out, numbers_of(image.attenuation));
+  append(out, Numbers{double(image.inner_angle), double(image.outer_angle), double(image.casts_shadow)});
+  return out;
+}
+
+/// "corners": x, y, z of each of the eight.
+Numbers probe_stands_in(ProbeContext&, const Arguments& in) {
+  const auto& flat = in.numbers("corners");
+  std::array<glm::dvec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {flat.at(3 * i), flat.at(3 * i + 1), flat.at(3 * i + 2)};
+  return {double(stands_in(in.mat4("frame_to_world"), in.vec2("half_size"), corners))};
+}
+
 }  // namespace
 
 std::map<std::string, Probe> portal_probes() {
@@ -141,6 +173,9 @@ std::map<std::string, Probe> portal_probes() {
        [](ProbeContext&, const Arguments& in) {
          return numbers_of(oblique_projection(glm::mat4(in.mat4("projection")), glm::vec4(in.vec4("plane_view"))));
        }},
+      {"light_image", probe_light_image},
+      {"stands_in", probe_stands_in},
+      {"comes_out", shader_probe(glsl, "vec4(comes_out(position, to_light, world_to_exit, half_size) ? 1.0 : 0.0)", 1)},
       {"cut_away", shader_probe(glsl, "vec4(cut_away(position, plane) ? 1.0 : 0.0)", 1)},
   };
 }
