@@ -9,7 +9,8 @@ namespace atelier {
 /// Counts of OpenGL work since Gl::restart_counts(). --stats prints them, and the tests of "unused features cost
 /// nothing" compare them.
 struct GlCounts {
-  /// Framebuffers drawn into, cleared or blitted to; one more after each new binding or change of attachment. A resolve
+  /// Framebuffers drawn into, cleared or blitted to; one more after another one was bound, or an attachment
+  /// changed. A resolve
   /// of multisampling counts as one.
   std::int64_t passes = 0;
   std::int64_t clears = 0;     ///< glClear* calls

@@ -161,7 +161,7 @@ void GlMeter::blit() {
 
 void GlMeter::bind_framebuffer(GLenum target, GLuint framebuffer) {
   if (target != GL_DRAW_FRAMEBUFFER) read_framebuffer_ = framebuffer;
-  if (target == GL_READ_FRAMEBUFFER) return;
+  if (target == GL_READ_FRAMEBUFFER || framebuffer == framebuffer_) return;
   framebuffer_ = framebuffer;
   in_pass_ = false;
 }

@@ -299,14 +299,18 @@ void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
-  begin(viewpoint, target);
   const bool instead =
       std::ranges::any_of(features_, [&](const auto& feature) { return feature->may_draw_instead(view); });
-  // Views inside come first: what their openings hide need not be shaded, and their maps replace those of this view.
-  if (!instead)
+  if (!instead && needs_stencil()) {
+    // Views inside come first: what their openings hide need not be shaded, and their maps replace those of this view.
+    begin(viewpoint, target);
     for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
-  draw_before(viewpoint, target);
-  set_bounds(viewpoint, target);
+    draw_before(viewpoint, target);
+    set_bounds(viewpoint, target);
+  } else {
+    draw_before(viewpoint, target);
+    begin(viewpoint, target);
+  }
   if (instead && drawn_instead(view, target)) return;
   draw_nodes(viewpoint, target);
   draw_sky(viewpoint);

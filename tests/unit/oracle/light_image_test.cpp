@@ -32,7 +32,8 @@ Scene lamp_before_opening(const Node& there) {
   return scene;
 }
 
-const Node straight_on{.name = "there", .rotation_angle = degrees(180)};
+/// Half a turn, exactly: an angle in floats would tilt the exit by 1e-7.
+const Node straight_on{.name = "there", .matrix = glm::mat4(-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, 0, 1)};
 
 oracle::SurfacePoint on_floor(double x, double z) {
   return {.position = {x, -1.5, z}, .normal = {0, 1, 0}, .flat_normal = {0, 1, 0}, .thing = 2};

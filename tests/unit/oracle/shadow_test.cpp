@@ -291,7 +291,7 @@ TEST_CASE("soft shadows out of range are refused", "[shadow]") {
   const Scene scene = dark_scene();
   const World world(scene);
   const auto refused = [&](const Shading& shading) {
-    const std::string told = error_of([&] { visibility(world, point_at({0, 0, 0}), {}, shading); });
+    const std::string told = error_of([&] { visibility(world, point_at({0, 0, 0}), Light{}, shading); });
     CHECK(error_of([&] { trace(world, {.size = {4, 4}, .shading = shading}); }) == told);  // though nothing is seen
     return told;
   };
