@@ -77,14 +77,20 @@ Plot chart_of_errors(const SweepResult& result) {
 
 std::optional<Plot> chart_of_times(const SweepResult& result) {
   if (result.plan.metric == Metric::mean) return std::nullopt;
-  Plot plot{.title = result.plan.title + ": error against time",
-            .x = time_axis(),
-            .y = {.label = result.plan.y_label, .scale = error_scale(result)}};
+  const bool counts = !result.plan.count.empty();
+  Plot plot = counts ? Plot{.title = result.plan.title + ": time", .x = value_axis(result), .y = time_axis()}
+                     : Plot{.title = result.plan.title + ": error against time",
+                            .x = time_axis(),
+                            .y = {.label = result.plan.y_label, .scale = error_scale(result)}};
   for (const std::string& curve : curves_of(result)) {
     Curve drawn{.title = title_of_curve(result, curve), .style = Curve::Style::marks};
     for (const Point& point : result.points) {
       if (!point.cost.times) return std::nullopt;
       if (point.curve != curve) continue;
+      if (counts) {
+        drawn.points.emplace_back(point.x, point.cost.times->median * milliseconds);
+        continue;
+      }
       drawn.points.emplace_back(point.cost.times->median * milliseconds, point.error);
       drawn.spread.emplace_back(point.cost.times->least * milliseconds, point.cost.times->most * milliseconds);
     }

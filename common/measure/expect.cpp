@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace atelier::measure {
 namespace {
@@ -22,9 +23,14 @@ double error_at(const SweepResult& result, const std::string& curve, const std::
   return point == result.points.end() ? std::nan("") : point->error;
 }
 
+/// Of one curve; counts are exact.
+double noise_of(const SweepResult& result, std::span<const glm::dvec2> points) {
+  return result.plan.count.empty() ? noise_floor(points) : 0;
+}
+
 Finding slope_finding(const SweepResult& result, const Expectation& e, const std::string& curve) {
   const std::vector<glm::dvec2> points = curve_points(result, curve);
-  const auto fit = fit_power(points, noise_floor(points), e.range);
+  const auto fit = fit_power(points, noise_of(result, points), e.range);
   const std::string expected = fmt::format("expected {} +- {}", e.number, e.tolerance);
   if (!fit) return {false, fmt::format("too few points above the noise floor for a slope, {}", expected), {}};
   return {std::abs(fit->slope - e.number) <= e.tolerance,
@@ -95,7 +101,7 @@ std::optional<Fit> fit_of(const SweepResult& result, const std::string& curve) {
   for (const Expectation& e : result.plan.expect)
     if (e.kind == Kind::slope && (e.curve.empty() || e.curve == curve)) range = e.range;
   const std::vector<glm::dvec2> points = curve_points(result, curve);
-  return fit_power(points, noise_floor(points), range);
+  return fit_power(points, noise_of(result, points), range);
 }
 
 }  // namespace atelier::measure

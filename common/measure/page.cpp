@@ -63,11 +63,12 @@ std::string row(const Point& point, bool is_knee = false) {
   return html + "</tr>\n";
 }
 
-std::string table(const std::vector<Point>& points, Metric metric, const std::optional<std::size_t>& knee = {}) {
+std::string table(const std::vector<Point>& points, const std::string& quantity,
+                  const std::optional<std::size_t>& knee = {}) {
   std::string html = fmt::format(
       "<details><summary>Numbers</summary><div class=\"overflow\"><table class=\"numbers\"><thead><tr>"
       "<th>value</th><th>{}</th><th>RMSE</th><th>FLIP</th><th>ms, median</th><th>least .. most</th>",
-      to_string(metric));
+      escape_markup(quantity));
   for (const char* name : counts_shown) html += fmt::format("<th>{}</th>", name);
   html += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < points.size(); ++i) html += row(points[i], knee == i);
@@ -86,7 +87,7 @@ std::string sweep_html(const SweepResult& sweep) {
                   escape_markup(sweep.plan.title), escape_markup(sweep.plan.name), escape_markup(sweep.plan.setting));
   html += figure(chart_of_errors(sweep)) + figure(chart_of_times(sweep)) + "<dl>\n";
   for (const Finding& finding : findings(sweep)) html += finding_html(finding);
-  return html + "</dl>\n" + table(sweep.points, sweep.plan.metric) + "</section>\n";
+  return html + "</dl>\n" + table(sweep.points, quantity_of(sweep.plan)) + "</section>\n";
 }
 
 std::string front_html(const FrontResult& front) {
@@ -100,7 +101,7 @@ std::string front_html(const FrontResult& front) {
         "and the most accurate point, on logarithmic axes (after Satop&auml;&auml; and others, <i>Finding a "
         "&ldquo;Kneedle&rdquo; in a Haystack</i>, 2011). More time beyond this point reduces the error little.</p>\n",
         escape_markup(front.points[*ranking.knee].value));
-  return html + table(front.points, front.plan.metric, ranking.knee) + "</section>\n";
+  return html + table(front.points, to_string(front.plan.metric), ranking.knee) + "</section>\n";
 }
 
 std::string how_html(const StepMeasured& measured) {

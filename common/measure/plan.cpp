@@ -139,10 +139,11 @@ bool flag_of(const Json& object, const char* member, const std::string& where) {
 }
 
 Sweep sweep_of(const Json& object, const std::string& file, std::set<std::string>& taken) {
-  strict_json::refuse_unknown(object,
-                              {"name", "title", "scene", "size", "camera", "output", "settings", "setting", "values",
-                               "curves_by", "curves", "truth", "metric", "x", "y", "linear", "handout", "expect"},
-                              file + ": sweep");
+  strict_json::refuse_unknown(
+      object,
+      {"name", "title", "scene", "size", "camera", "output", "settings", "setting", "values", "curves_by", "curves",
+       "truth", "metric", "count", "x", "y", "linear", "handout", "expect"},
+      file + ": sweep");
   Sweep sweep;
   sweep.name = name_of(object, file + ": sweep", taken);
   const std::string where = fmt::format("{}: sweep '{}'", file, sweep.name);
@@ -158,8 +159,17 @@ Sweep sweep_of(const Json& object, const std::string& file, std::set<std::string
   for (const std::string& name : {sweep.setting, sweep.curves_by})
     if (sweep.ask.settings.contains(name))
       throw Error(fmt::format("{}: settings: {} is swept, so it cannot be fixed", where, name));
-  sweep.truth = truth_of(object, where);
-  sweep.metric = metric_of(object, sweep.truth, Metric::rmse, where);
+  if (const Json* count = strict_json::optional(object, "count")) {
+    for (const char* member : {"truth", "metric"})
+      if (strict_json::optional(object, member))
+        throw Error(
+            fmt::format("{}: {} is not allowed beside count: a count is not compared with a truth", where, member));
+    sweep.count = strict_json::name(*count, where + ": count", "_");
+    sweep.truth.by = Truth::By::none;
+  } else {
+    sweep.truth = truth_of(object, where);
+    sweep.metric = metric_of(object, sweep.truth, Metric::rmse, where);
+  }
   sweep.x_label = text_of(object, "x", where), sweep.y_label = text_of(object, "y", where);
   sweep.linear = flag_of(object, "linear", where), sweep.handout = flag_of(object, "handout", where);
   if (const Json* expect = strict_json::optional(object, "expect")) {

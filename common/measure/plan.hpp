@@ -20,7 +20,8 @@ struct Truth {
   enum class By {
     oracle,   ///< the step program's --truth: traced in double precision, without the approximation
     program,  ///< the step program itself, with other settings
-    value     ///< one number: the right mean of the picture
+    value,    ///< one number: the right mean of the picture
+    none      ///< nothing: a count is measured, not an error
   };
   By by = By::oracle;
   std::map<std::string, SettingValue> settings{};  ///< override those of the picture
@@ -30,7 +31,8 @@ struct Truth {
 
 using Metric = ErrorMetric;
 
-/// What theory predicts for a sweep, to be compared with the measurement.
+/// What theory predicts for a sweep, to be compared with the measurement. If the sweep measures a count, the counts
+/// take the place of the errors.
 struct Expectation {
   enum class Kind {
     slope,    ///< of log error on log value, within `tolerance`
@@ -56,6 +58,7 @@ struct Sweep {
   std::vector<SettingValue> curves;  ///< its values; not empty if curves_by is set
   Truth truth;
   Metric metric = Metric::rmse;
+  std::string count;             ///< measured instead of an error: "draws", as --stats names it; empty: the error
   std::string x_label, y_label;  ///< with units
   bool linear = false;           ///< whether the error axis is linear instead of logarithmic
   bool handout = false;          ///< whether the step's handout shows its plot

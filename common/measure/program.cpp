@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/near_names.hpp"
 #include "base/printable.hpp"
 #include "base/process.hpp"
 #include "base/strict_json.hpp"
@@ -114,6 +115,13 @@ Listing list_of(const Program& program) {
     throw Error(fmt::format("{} --list --json: {}", program.file.filename().string(), error.what()));
   }
   return listing;
+}
+
+double count_of(const Cost& cost, const std::string& name, const std::string& where) {
+  if (const auto found = cost.counts.find(name); found != cost.counts.end()) return found->second;
+  std::vector<std::string> known;
+  for (const auto& [other, count] : cost.counts) known.push_back(other);
+  throw Error(fmt::format("{}: the program does not count '{}'{}", where, name, suggestion(name, known)));
 }
 
 std::vector<Drawn> draw(const Program& program, const std::vector<Case>& cases, int repeats) {

@@ -41,6 +41,9 @@ struct Cost {
   std::optional<FrameTimes> times;
 };
 
+/// Throws Error with `where` and a suggestion if there is no such count.
+double count_of(const Cost& cost, const std::string& name, const std::string& where);
+
 struct Drawn {
   Image picture;
   Cost cost;

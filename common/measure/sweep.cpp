@@ -44,6 +44,7 @@ class Truths {
         for (Drawn& drawn : draw(program, asks_)) images.push_back(std::move(drawn.picture));
         break;
       case Truth::By::value:
+      case Truth::By::none:
         break;
     }
     return images;
@@ -61,9 +62,10 @@ void measure_points(const Program& program, const Listing& listing, const Case& 
   std::vector<Case> cases;
   std::vector<std::size_t> places;
   Truths truths(truth);
+  const bool has_picture = truth.by == Truth::By::oracle || truth.by == Truth::By::program;
   for (std::size_t i = 0; i < points.size(); ++i) {
     cases.push_back(with(ask, points[i].chosen, fmt::format("picture-{}", i)));
-    if (truth.by != Truth::By::value) places.push_back(truths.place_for(cases.back()));
+    if (has_picture) places.push_back(truths.place_for(cases.back()));
   }
   const std::vector<Image> made = truths.make(program);
   std::vector<Drawn> drawn = draw(program, cases, options.repeats);
@@ -110,6 +112,9 @@ SweepResult run_sweep(const Program& program, const Listing& listing, const Swee
   if (sweep.curves.empty()) add({}, "");
   for (const SettingValue& curve : sweep.curves) add({{sweep.curves_by, curve}}, setting_text(curve));
   measure_points(program, listing, sweep.ask, sweep.truth, sweep.metric, options, result.points);
+  if (!sweep.count.empty())
+    for (Point& point : result.points)
+      point.error = count_of(point.cost, sweep.count, fmt::format("sweep '{}': count", sweep.name));
   return result;
 }
 
@@ -144,8 +149,12 @@ std::vector<glm::dvec2> curve_points(const SweepResult& result, const std::strin
   return points;
 }
 
+std::string quantity_of(const Sweep& sweep) {
+  return sweep.count.empty() ? to_string(sweep.metric) : sweep.count;
+}
+
 double floor_of(const SweepResult& result) {
-  if (result.plan.metric == Metric::mean) return 0;
+  if (result.plan.metric == Metric::mean || !result.plan.count.empty()) return 0;
   std::vector<glm::dvec2> all;
   for (const Point& point : result.points) all.emplace_back(point.x, point.error);
   return noise_floor(all);

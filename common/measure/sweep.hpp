@@ -17,8 +17,8 @@ struct Point {
   std::string curve;                           ///< the second setting's value as text; empty without one
   std::string value;                           ///< the swept value as text; of a front: all chosen values
   double x = 0;                                ///< the value if it is a number, otherwise its index
-  double error = 0;                            ///< in the plan's metric
-  std::optional<double> rmse, flip;            ///< none if the truth is a number; flip for colours only
+  double error = 0;                            ///< in the plan's metric; the count if the plan measures one
+  std::optional<double> rmse, flip;            ///< none without a true picture; flip for colours only
   Cost cost;
 };
 
@@ -45,7 +45,10 @@ std::vector<std::string> curves_of(const SweepResult& result);
 /// (x, error) of one curve.
 std::vector<glm::dvec2> curve_points(const SweepResult& result, const std::string& curve);
 
-/// The noise_floor of all points; 0 for the metric `mean`, whose values are not errors.
+/// The name of what a sweep measures: "rmse", "draws".
+std::string quantity_of(const Sweep& sweep);
+
+/// The noise_floor of all points; 0 for the metric `mean` and for counts, whose values are not errors.
 double floor_of(const SweepResult& result);
 
 }  // namespace atelier::measure

@@ -31,14 +31,15 @@ std::set<std::string> names_of_counts(const StepMeasured& measured) {
   return names;
 }
 
-std::string line_of(const std::string& name, Metric metric, const Point& point, const std::set<std::string>& counts) {
+std::string line_of(const std::string& name, const std::string& quantity, const Point& point,
+                    const std::set<std::string>& counts) {
   const auto& times = point.cost.times;
   const auto time = [&](double FrameTimes::*member) {
     return csv_number(times ? std::optional(times.value().*member) : std::nullopt);
   };
   std::string line =
       fmt::format("{},{},{},{},{},{},{},{},{},{}", csv_field(name), csv_field(point.curve), csv_field(point.value),
-                  to_string(metric), csv_number(point.error), csv_number(point.rmse), csv_number(point.flip),
+                  csv_field(quantity), csv_number(point.error), csv_number(point.rmse), csv_number(point.flip),
                   time(&FrameTimes::median), time(&FrameTimes::least), time(&FrameTimes::most));
   for (const std::string& count : counts) {
     const auto found = point.cost.counts.find(count);
@@ -70,7 +71,7 @@ OrderedJson json_of(const std::vector<Point>& points) {
 OrderedJson json_of(const SweepResult& sweep) {
   OrderedJson json = {
       {"name", sweep.plan.name},        {"title", sweep.plan.title},         {"scene", sweep.plan.ask.scene},
-      {"setting", sweep.plan.setting},  {"curves_by", sweep.plan.curves_by}, {"metric", to_string(sweep.plan.metric)},
+      {"setting", sweep.plan.setting},  {"curves_by", sweep.plan.curves_by}, {"metric", quantity_of(sweep.plan)},
       {"noise_floor", floor_of(sweep)}, {"fits", OrderedJson::array()},      {"findings", OrderedJson::array()}};
   for (const std::string& curve : curves_of(sweep))
     if (const auto fit = fit_of(sweep, curve))
@@ -126,9 +127,10 @@ std::string as_csv(const StepMeasured& measured) {
   for (const std::string& count : counts) csv += "," + csv_field(count);
   csv += "\n";
   for (const SweepResult& sweep : measured.sweeps)
-    for (const Point& point : sweep.points) csv += line_of(sweep.plan.name, sweep.plan.metric, point, counts);
+    for (const Point& point : sweep.points) csv += line_of(sweep.plan.name, quantity_of(sweep.plan), point, counts);
   for (const FrontResult& front : measured.fronts)
-    for (const Point& point : front.points) csv += line_of(front.plan.name, front.plan.metric, point, counts);
+    for (const Point& point : front.points)
+      csv += line_of(front.plan.name, to_string(front.plan.metric), point, counts);
   return csv;
 }
 
@@ -144,7 +146,7 @@ std::string as_json(const StepMeasured& measured) {
 
 std::string errors_as_csv(const SweepResult& result) {
   std::string csv = fmt::format("{},{},{}\n", csv_field(result.plan.curves_by), csv_field(result.plan.setting),
-                                csv_field(to_string(result.plan.metric)));
+                                csv_field(quantity_of(result.plan)));
   for (const Point& point : result.points)
     csv += fmt::format("{},{},{:.6g}\n", csv_field(point.curve), csv_field(point.value), point.error);
   return csv;

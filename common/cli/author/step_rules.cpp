@@ -158,8 +158,9 @@ Problems problems_of_measured(const ProjectFolders& folders, const measure::Step
   int slopes = 0, in_handout = 0;
   for (const measure::SweepResult& sweep : measured.sweeps) {
     const auto curves = measure::curves_of(sweep);
-    slopes +=
-        std::any_of(curves.begin(), curves.end(), [&](const auto& c) { return measure::fit_of(sweep, c).has_value(); });
+    slopes += sweep.plan.count.empty() && std::any_of(curves.begin(), curves.end(), [&](const auto& c) {
+                return measure::fit_of(sweep, c).has_value();
+              });
     in_handout += sweep.plan.handout;
     if (sweep.plan.expect.empty())
       problems.push_back(

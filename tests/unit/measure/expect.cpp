@@ -62,6 +62,19 @@ TEST_CASE("an expectation without a curve applies to every curve") {
   CHECK(found[1].met);
 }
 
+TEST_CASE("a count has no noise floor, so its slope includes the smallest ones") {
+  SweepResult result = expecting({.curve = "fine", .number = 1, .tolerance = 0.001});
+  result.plan.count = "triangles";
+  for (Point& point : result.points) point.error = point.cost.counts.at("triangles");
+  const auto found = findings(result);
+  REQUIRE(found.size() == 1);
+  INFO(found[0].words);
+  CHECK(found[0].met);
+  CHECK(test::mentions(found[0].words, {"from 2 to 256"}));
+  REQUIRE(fit_of(result, "fine"));
+  CHECK(fit_of(result, "fine")->points == 8);
+}
+
 TEST_CASE("an error that is NaN meets no expectation") {
   for (const Expectation& e : {Expectation{.curve = "fine", .number = -2, .tolerance = 10},
                                Expectation{.kind = Kind::at, .curve = "fine", .tolerance = 10, .values = {"4"}},

@@ -178,6 +178,17 @@ TEST_CASE("a truth may be a number, or the program itself") {
   CHECK(parsed(d).sweeps[0].truth.by == Truth::By::program);
 }
 
+TEST_CASE("a count is measured without a truth") {
+  json d = whole_plan();
+  d["sweeps"][0]["count"] = "draws";
+  d["sweeps"][0].erase("truth");
+  d["sweeps"][0].erase("metric");
+  const Sweep read = parsed(d).sweeps[0];
+  CHECK(read.count == "draws");
+  CHECK(read.truth.by == Truth::By::none);
+  CHECK(parsed(whole_plan()).sweeps[0].count.empty());
+}
+
 TEST_CASE("an invalid plan is refused with its place") {
   const auto in_sweep = [](const char* member, json value) { return [=](json& d) { d["sweeps"][0][member] = value; }; };
   const auto in_expect = [](json value) { return [=](json& d) { d["sweeps"][0]["expect"][0] = value; }; };
@@ -199,6 +210,25 @@ TEST_CASE("an invalid plan is refused with its place") {
       {"a truth by nobody", in_sweep("truth", {{"by", "judge"}}), {"wall", "truth: by", "judge", "oracle"}},
       {"samples of the program", in_sweep("truth", {{"by", "program"}, {"samples", 2}}), {"wall", "samples"}},
       {"too many samples", in_sweep("truth", {{"by", "oracle"}, {"samples", 65}}), {"wall", "samples", "65"}},
+      {"a count of a truth",
+       [](json& d) {
+         d["sweeps"][0]["count"] = "draws";
+         d["sweeps"][0].erase("metric");
+       },
+       {"wall", "truth", "beside count"}},
+      {"a count in a metric",
+       [](json& d) {
+         d["sweeps"][0]["count"] = "draws";
+         d["sweeps"][0].erase("truth");
+       },
+       {"wall", "metric", "beside count"}},
+      {"a count that is no name",
+       [](json& d) {
+         d["sweeps"][0]["count"] = "Draw calls";
+         d["sweeps"][0].erase("truth");
+         d["sweeps"][0].erase("metric");
+       },
+       {"wall", "count", "Draw calls"}},
       {"no label", [](json& d) { d["sweeps"][0].erase("x"); }, {"wall", "x"}},
       {"a name twice", [](json& d) { d["sweeps"].push_back(sweep()); }, {"wall", "twice"}},
       {"a front of the same name", [](json& d) { d["fronts"][0]["name"] = "wall"; }, {"front", "wall", "twice"}},

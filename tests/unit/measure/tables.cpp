@@ -121,6 +121,33 @@ TEST_CASE("charts show the measurements, and times only on request") {
   CHECK(front->marks[0].at.x == Approx(2));
 }
 
+TEST_CASE("a count stands under its own name, and times against the swept value") {
+  StepMeasured measured = small_table();
+  SweepResult& sweep = measured.sweeps[0];
+  sweep.plan.count = "triangles";
+  for (Point& point : sweep.points) {
+    point.error = point.cost.counts.at("triangles");
+    point.rmse.reset();
+  }
+  CHECK(lines(as_csv(measured))[2] == "wall,fine,4,triangles,8,,,0.004,0.0036,0.008,3,8");
+  CHECK(lines(errors_as_csv(sweep))[0] == "kind,pieces,triangles");
+  const auto json = nlohmann::json::parse(as_json(measured));
+  CHECK(json["sweeps"][0]["metric"] == "triangles");
+  CHECK(json["sweeps"][0]["noise_floor"] == 0);
+  const auto times = chart_of_times(sweep);
+  REQUIRE(times);
+  CHECK(times->curves[0].points[1].x == 4);
+  CHECK(times->curves[0].points[1].y == Approx(4));  // milliseconds
+  CHECK(times->curves[0].spread.empty());
+}
+
+TEST_CASE("a count that the program does not have is refused with the nearest one") {
+  const Cost cost{.counts = {{"draws", 3}, {"vertices", 36}}};
+  CHECK(count_of(cost, "draws", "measure.json") == 3);
+  CHECK(test::mentions(test::error_of([&] { count_of(cost, "vertexes", "measure.json"); }),
+                       {"measure.json", "'vertexes'", "did you mean 'vertices'"}));
+}
+
 TEST_CASE("the page is self-contained, and escapes text") {
   if (!can_plot()) SKIP_TEST("gnuplot is not installed");
   StepMeasured measured = small_table();
