@@ -156,7 +156,7 @@ int run_skeleton(const SkeletonOptions& options);
 struct BenchOptions {
   std::string step = "02";
   int repeats = 5;
-  bool baseline = false;  ///< only compare frames with those of a baseline
+  bool baseline = false;  ///< only compare: frames with a baseline's and with one another, work with packages'
   bool json = false;
 };
 int run_bench(const BenchOptions& options);

@@ -41,6 +41,7 @@ struct ProjectFolders {
   std::filesystem::path case_file(const std::string& step) const { return cases() / step / "cases.json"; }
   std::filesystem::path measure_file(const std::string& step) const { return cases() / step / "measure.json"; }
   std::filesystem::path baseline_file(const std::string& step) const { return cases() / step / "baseline.json"; }
+  std::filesystem::path ratios_file(const std::string& step) const { return cases() / step / "ratios.json"; }
   std::filesystem::path hints_file(const std::string& step) const { return cases() / step / "hints.json"; }
   std::filesystem::path mistakes_file(const std::string& step) const { return mistakes() / step / "mistakes.json"; }
   std::filesystem::path variants_file(const std::string& step) const { return variants() / step / "variants.json"; }

@@ -154,9 +154,10 @@ BaselineComparison compare_with_baseline(const BaselinePlan& plan, const Program
       ratios.push_back(pair.baseline / pair.row);
     }
     compared.seconds = median(seconds);
-    compared.ratio = median(ratios);
-    compared.least = *std::min_element(ratios.begin(), ratios.end());
-    compared.most = *std::max_element(ratios.begin(), ratios.end());
+    const Spread ratio = spread_of(ratios);
+    compared.ratio = ratio.median;
+    compared.least = ratio.least;
+    compared.most = ratio.most;
     all.rows.push_back(std::move(compared));
   }
   for (std::size_t i = 0; i < all.baselines.size(); ++i) all.baselines[i].seconds = median(baseline_seconds[i]);

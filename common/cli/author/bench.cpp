@@ -21,7 +21,7 @@ void print_table(const std::vector<Figure>& figures) {
 }
 
 void print_json(const std::vector<Figure>& figures, const std::optional<BaselineTable>& table,
-                const std::vector<PeerRow>& peers) {
+                const std::optional<RatioTable>& ratios, const std::vector<PeerRow>& peers) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Figure& f : figures)
     list.push_back({{"name", f.name},
@@ -32,6 +32,7 @@ void print_json(const std::vector<Figure>& figures, const std::optional<Baseline
                     {"aim", f.limit > 0 ? nlohmann::ordered_json(f.limit) : nullptr}});
   nlohmann::ordered_json all = {{"figures", list}};
   if (table) all["baseline"] = baseline_as_json(*table);
+  if (ratios) all["ratios"] = ratios_as_json(*ratios);
   if (!peers.empty()) all["peers"] = peers_as_json(peers);
   fmt::print("{}\n", all.dump(2));
 }
@@ -69,12 +70,15 @@ int run_bench(const BenchOptions& options) {
   const std::optional<BaselineTable> table = bench_baseline(folders, step, options.repeats);
   std::vector<PeerRow> peers;
   if (table && table->plan.peers) peers = bench_peers(folders, step, options.repeats);
-  if (options.baseline && !table) throw Error(fmt::format("--baseline: {} has no baseline to compare with", step.name));
+  const std::optional<RatioTable> ratios = bench_ratios(folders, step, options.repeats);
+  if (options.baseline && !table && !ratios)
+    throw Error(fmt::format("--baseline: {} has nothing to compare with", step.name));
   if (options.json) {
-    print_json(figures, table, peers);
+    print_json(figures, table, ratios, peers);
   } else {
     if (!figures.empty()) print_table(figures);
     if (table) print_baseline(*table);
+    if (ratios) print_ratios(*ratios);
     print_peers(peers);
   }
   return exit_ok;

@@ -11,6 +11,7 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "measure/baseline.hpp"
+#include "measure/ratios.hpp"
 
 namespace atelier {
 
@@ -35,6 +36,11 @@ std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vec
 /// The parts within this process: contexts and comparisons.
 std::vector<Figure> bench_parts(int repeats);
 
+inline constexpr int timed_frames = 15;  ///< per picture and round
+
+/// The step's program with the solutions, and with shaders that the driver optimises.
+measure::Program solved_program(const ProjectFolders& folders, const CourseStep& step);
+
 /// Frame times of a step compared with a baseline program, in `repeats` rounds.
 struct BaselineTable {
   measure::BaselinePlan plan;
@@ -44,6 +50,16 @@ struct BaselineTable {
 std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats);
 void print_baseline(const BaselineTable& table);
 nlohmann::ordered_json baseline_as_json(const BaselineTable& table);
+
+/// Frame times of pictures of a step compared with one another, in `repeats` rounds.
+struct RatioTable {
+  measure::RatioPlan plan;
+  std::vector<measure::MeasuredRatio> measured;  ///< parallel to the plan's rows
+};
+/// None if the step has no ratios.json, as in a release.
+std::optional<RatioTable> bench_ratios(const ProjectFolders& folders, const CourseStep& step, int repeats);
+void print_ratios(const RatioTable& table);
+nlohmann::ordered_json ratios_as_json(const RatioTable& table);
 
 /// Work of a step beside that of another package, timed in one process (tests/peers).
 struct PeerRow {

@@ -12,9 +12,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int frames = 15;  ///< timed frames per picture and round
-
 }  // namespace
+
+measure::Program solved_program(const ProjectFolders& folders, const CourseStep& step) {
+  measure::Program program{.file = folders.program(step.name)};
+  program.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
+  program.shader_cache = folders.build / "cache" / "measure-shaders";
+  return program;
+}
 
 std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const CourseStep& step, int repeats) {
   const fs::path file = folders.baseline_file(step.name);
@@ -22,12 +27,10 @@ std::optional<BaselineTable> bench_baseline(const ProjectFolders& folders, const
   BaselineTable table{.plan = measure::read_baseline_plan(file)};
   const fs::path program = folders.program(table.plan.program);
   if (!fs::exists(program)) throw Error(fmt::format("{}: is missing: build the target 'baselines'", program.string()));
-  measure::Program ours{.file = folders.program(step.name)};
-  ours.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
-  ours.shader_cache = folders.build / "cache" / "measure-shaders";
+  const measure::Program ours = solved_program(folders, step);
   measure::Program other = ours;
   other.file = program;
-  table.compared = measure::compare_with_baseline(table.plan, ours, other, repeats, frames);
+  table.compared = measure::compare_with_baseline(table.plan, ours, other, repeats, timed_frames);
   return table;
 }
 

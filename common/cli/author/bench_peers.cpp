@@ -1,7 +1,6 @@
 // Compares a step's work with that of packages: BUILD/bin/peers-NN-name, if the step has one.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "base/error.hpp"
@@ -53,9 +52,10 @@ PeerRow row_of(const Json& json, int rounds, const std::string& where) {
   row.theirs = median(theirs);
   std::vector<double> ratios;
   for (std::size_t round = 0; round < ours.size(); ++round) ratios.push_back(theirs[round] / ours[round]);
-  row.ratio = median(ratios);
-  row.least = *std::ranges::min_element(ratios);
-  row.most = *std::ranges::max_element(ratios);
+  const measure::Spread ratio = measure::spread_of(ratios);
+  row.ratio = ratio.median;
+  row.least = ratio.least;
+  row.most = ratio.most;
   return row;
 }
 

@@ -105,6 +105,9 @@ TEST_CASE("missing slopes, expectations and plots are reported") {
   measured.sweeps[1] = swept("more-pieces", false);
   measured.sweeps[1].plan.expect.clear();
   CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "'more-pieces'", "expect"}));
+  measured.sweeps[1] = swept("more-pieces", false);
+  measured.sweeps[1].plan.count = "triangles";  // a count is no error
+  CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "1 of its sweeps", "two must"}));
   measured.sweeps.pop_back();
   CHECK(asks(problems_of_measured(made.folders, measured), {"measure.json", "1 of its sweeps", "two must"}));
   CHECK(in_lines({"one", "two"}) == "! one\n! two\n");
