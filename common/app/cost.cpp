@@ -63,6 +63,8 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"texture_bytes", gl.texture_bytes, "bytes of all textures, all levels, without targets"},
       {"target_bytes", gl.target_bytes, "bytes of the targets drawn into: colour, depth ..."},
       {"allocated_bytes", gl.allocated_bytes, "bytes allocated in this frame"},
+      {"views", scene.views, "views in which surfaces are drawn, those inside others among them"},
+      {"view_pixels", scene.view_pixels, "pixels of their rectangles: the target, or the scissor in it"},
       {"nodes", scene.nodes, "nodes with a mesh, in all views together"},
       {"nodes_culled", scene.nodes_culled, "of those, skipped because they are outside the view"},
       {"skies", scene.skies, "draws of the sky, one for each view of colour"},

@@ -7,6 +7,8 @@ namespace atelier {
 
 /// For one frame. GlCounts has the counts of OpenGL calls.
 struct SceneCounts {
+  std::int64_t views = 0;          ///< in which surfaces are drawn: the frame's, and those inside it
+  std::int64_t view_pixels = 0;    ///< of their rectangles: the target, or the scissor in it
   std::int64_t nodes = 0;          ///< with a mesh, in all views together
   std::int64_t nodes_culled = 0;   ///< of those, skipped because they are outside the view
   std::int64_t skies = 0;          ///< draws of the sky: one for each view of colour, if the scene has a sky

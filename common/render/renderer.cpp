@@ -297,6 +297,9 @@ void Renderer::draw_before(const Viewpoint& viewpoint, const Target& target) {
 
 void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
+  const glm::ivec4 bounds = view.scissor.value_or(glm::ivec4(0, 0, target.spec().width, target.spec().height));
+  ++counts_.views;
+  counts_.view_pixels += std::int64_t(bounds.z) * bounds.w;
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
   const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
   const bool instead =

@@ -86,6 +86,20 @@ TEST_CASE("matrices are computed once, and again only if they change", "[counts]
   CHECK(studio.renderer.counts().matrices == 5);  // another scene, for all that the renderer knows
 }
 
+TEST_CASE("views are counted, with the pixels that they are drawn in", "[counts]") {
+  CountingStudio studio;
+  const Scene scene = triangles({{0, 0, 0}});
+  studio.renderer.prepare(scene);
+  View view{.camera = scene.camera};
+  studio.draw(view);
+  CHECK(studio.renderer.counts().views == 1);
+  CHECK(studio.renderer.counts().view_pixels == 64 * 48);
+  view.scissor = glm::ivec4(8, 4, 16, 10);
+  studio.draw(view);
+  CHECK(studio.renderer.counts().views == 1);
+  CHECK(studio.renderer.counts().view_pixels == 16 * 10);
+}
+
 TEST_CASE("camera-relative matrices follow the eye", "[counts]") {
   CountingStudio studio;
   const Scene scene = triangles({{0.25, 0, 0}});
