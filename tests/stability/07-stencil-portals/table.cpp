@@ -15,4 +15,6 @@ void atelier_stability_table(atelier::stability::Table& table, atelier::stabilit
   add_plane_in_view_rows(table);
   add_oblique_rows(table);
   add_cut_rows(table, shaders);
+  add_crossing_rows(table);
+  add_oblique_order_rows(table);
 }
