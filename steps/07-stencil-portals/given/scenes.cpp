@@ -63,6 +63,29 @@ Scene corridor() {
   return scene;
 }
 
+/// Two corridors without end that cross: a hall between two pairs of wide doors that face each other.
+Scene crossing() {
+  Scene scene{.name = "crossing"};
+  scene.ambient = glm::vec3(0.15f);
+  const int walls = add_material(scene, {.name = "walls", .diffuse = {0.6f, 0.6f, 0.52f}});
+  const int tiles = checkered(scene, "tiles", {0.7f, 0.65f, 0.55f, 1}, {0.25f, 0.3f, 0.28f, 1});
+  const int red = add_material(scene, plastic("red", {0.7f, 0.12f, 0.08f}, 60));
+  const Look blue = add_look(scene, {0.25f, 0.35f, 0.6f}), brown = add_look(scene, {0.6f, 0.35f, 0.25f});
+  constexpr float width = 4.5f;
+  add_room(scene, 0, 0, {8, 3.5f, 8}, walls, tiles);
+  const int front = add_door(scene, quarter_turned("front door", {0, 1.25, -3}, 0), blue, width);
+  const int back = add_door(scene, quarter_turned("back door", {0, 1.25, 3}, 2), blue, width);
+  const int left = add_door(scene, quarter_turned("left door", {-3, 1.25, 0}, 1), brown, width);
+  const int right = add_door(scene, quarter_turned("right door", {3, 1.25, 0}, 3), brown, width);
+  join(scene, front, back, {0.6f, 0.1f, 0.5f});
+  join(scene, left, right, {0.1f, 0.5f, 0.6f});
+  add_object(scene, make_sphere({.radius = 0.3f}), red, {.name = "ball", .translation = {1.5, 0.3, -1.5}});
+  add_lamp(scene, {-0.75, 2.8, 0.75}, glm::vec3(5));
+  scene.camera = {
+      .eye = {1.25, 1.625, 1.25}, .target = {-1.25, 1.25, -1.25}, .fov_y = degrees(75), .near = 0.1f, .far = 2000};
+  return scene;
+}
+
 /// The exit hangs tilted under a parent that is turned: what is seen through the door lies askew. The door itself is
 /// turned by odd angles too.
 Scene rolled() {
@@ -245,6 +268,7 @@ const SceneTable& whole_portal_scenes() {
   static const SceneTable scenes = {
       {"rooms", [](const Settings&) { return rooms(); }},
       {"corridor", [](const Settings&) { return corridor(); }},
+      {"crossing", [](const Settings&) { return crossing(); }},
       {"rolled", [](const Settings&) { return rolled(); }},
       {"mirror", [](const Settings&) { return mirror(); }},
       {"gate", [](const Settings&) { return gate(); }},
