@@ -48,9 +48,10 @@ void add_copy(Scene& scene, int node, const glm::dmat4& to_world, const glm::dve
   scene.nodes.push_back(std::move(copy));
 }
 
-/// Splits a body's parts at an opening that it stands in.
-void split(Scene& scene, const std::vector<int>& parts, const std::vector<glm::dmat4>& world, const Opening& opening) {
-  const glm::dvec3 centre(world[std::size_t(parts.front())][3]);
+/// Splits a body's parts at an opening that it stands in, and that it enters from the side where its origin is.
+void split(Scene& scene, int body, const std::vector<int>& parts, const std::vector<glm::dmat4>& world,
+           const Opening& opening) {
+  const glm::dvec3 centre(world[std::size_t(body)][3]);
   const bool behind = opening.two_sided && !before(opening.frame, centre);
   for (const int part : parts) {
     add_copy(scene, part, opening.passage * world[std::size_t(part)], opening_plane(opening.exit, behind));
@@ -72,7 +73,7 @@ void split_bodies(Scene& scene) {
         return stands_in(opening.frame, opening.half_size, corners_of(scene, part, world[std::size_t(part)]));
       });
       if (!inside) continue;
-      split(scene, parts, world, opening);
+      split(scene, body, parts, world, opening);
       break;  // one opening a body
     }
   }

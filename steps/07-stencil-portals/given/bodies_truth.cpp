@@ -102,7 +102,7 @@ void split_bodies_exactly(Scene& scene) {
     if (standing == scene.portals.end()) continue;
     const glm::dmat4 &entry = world[std::size_t(standing->node)], &exit = world[std::size_t(*standing->exit)];
     const bool two_sided = scene.materials[std::size_t(scene.nodes[std::size_t(standing->node)].material)].two_sided;
-    const glm::dvec4 centre = world[std::size_t(parts.front())][3];
+    const glm::dvec4 centre = world[std::size_t(body)][3];
     const bool turned = two_sided && glm::dot(plane_of(entry, false), centre) < 0;
     const glm::dmat4 through = oracle::passage_of(*standing, world);
     for (const int part : parts) {

@@ -110,12 +110,12 @@ TEST_CASE("groups count their own work and that of nested groups", "[debug]") {
         }
         {
           const DebugGroup second(gl, "second");
-          easel.one.bind(gl);
+          easel.other.bind(gl);
           gl.Clear(GL_DEPTH_BUFFER_BIT);
         }
       }
       const DebugGroup scene(gl, "scene");
-      easel.other.bind(gl);
+      easel.one.bind(gl);
       easel.draw(10);
       {
         const DebugGroup sky(gl, "sky");  // draws on in the pass around it
