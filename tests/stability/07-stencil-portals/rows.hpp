@@ -22,6 +22,9 @@ void add_oblique_rows(Table& table);
 void add_cut_rows(Table& table, ShaderFunctions& shaders);
 void add_crossing_rows(Table& table);
 void add_oblique_order_rows(Table& table);
+void add_image_rows(Table& table);
+void add_body_rows(Table& table);
+void add_light_rows(Table& table, ShaderFunctions& shaders);
 
 inline constexpr double double_unit = 0x1p-53;  ///< what one rounding of a double may cost, relative to the result
 inline constexpr double million = 1e6;

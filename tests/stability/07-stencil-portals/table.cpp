@@ -17,4 +17,7 @@ void atelier_stability_table(atelier::stability::Table& table, atelier::stabilit
   add_cut_rows(table, shaders);
   add_crossing_rows(table);
   add_oblique_order_rows(table);
+  add_image_rows(table);
+  add_body_rows(table);
+  add_light_rows(table, shaders);
 }
