@@ -1,6 +1,6 @@
 // 07-stencil-portals: the contract of stencil_portals.cpp: where a portal leads, how its view is marked, clipped and
-// bounded, and how a visitor goes through it. You also write stencil_portals.glsl; the contract of its function is the
-// comment above it.
+// bounded, and how a visitor goes through it. You also write stencil_portals.glsl, where the contract of each function
+// is the comment above it, and some lines of choices.txt.
 //
 // A portal is an opening, flat, in the plane z = 0 of its frame (a node of the scene). +z faces the side on which a
 // visitor stands. Who enters it moves along its -z, and comes out of its exit, another frame, along the exit's +z. What
@@ -111,14 +111,15 @@ glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane
 
 /// (challenge) The image of a light: a light that shines, straight through the opening, where the light itself shines
 /// on its way through the portal (or after the mirror). Its place and the direction in which it shines are carried
-/// through; all else stays. Handout, section 8.
+/// through; all else stays. What a type does not use (a point light's direction, a directional light's place) may
+/// become anything. Handout, section 8.
 Light light_image(const Light& light, const glm::dmat4& passage);
 
 /// (challenge) Whether a body stands in an opening, so that one part of it is before the plane and another has gone
 /// through. `corners` are those of the body's box in the world; the box may stand askew. True where the plane parts the
 /// box and their common polygon meets the opening's rectangle (|x| <= half_size.x, |y| <= half_size.y of the frame).
-/// False where all corners are on one side of the plane, or all beyond one side of the rectangle (x > half_size.x, say).
-/// In between, either answer is right; so it is within 1e-6 m of each of these limits. Handout, section 8.
+/// False where all corners are on one side of the plane, or all beyond one side of the rectangle (x > half_size.x,
+/// say). In between, either answer is right; so it is within 1e-6 m of each of these limits. Handout, section 8.
 bool stands_in(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, std::span<const glm::dvec3, 8> corners);
 
 }  // namespace atelier::stencil_portals
