@@ -1,6 +1,8 @@
 #include "05-normal-mapping/normal_mapping.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace atelier::normal_mapping {
 
@@ -8,8 +10,9 @@ glm::vec4 triangle_tangent(const Corner& a, const Corner& b, const Corner& c) {
   // >>> student: solve the two edges for the direction of +u
   const glm::vec3 e1 = b.position - a.position, e2 = c.position - a.position;
   const glm::vec2 d1 = b.texcoord - a.texcoord, d2 = c.texcoord - a.texcoord;
-  const float edge = std::max({glm::length(e1), glm::length(e2), glm::length(e2 - e1)});
-  const float side = std::max({glm::length(d1), glm::length(d2), glm::length(d2 - d1)});
+  const auto squared = [](const auto& v) { return glm::dot(v, v); };
+  const float edge = std::sqrt(std::max({squared(e1), squared(e2), squared(e2 - e1)}));
+  const float side = std::sqrt(std::max({squared(d1), squared(d2), squared(d2 - d1)}));
   if (edge == 0 || side == 0) return glm::vec4(0);
   // In units of the longest edges, so that no product leaves the range of a float.
   const glm::vec3 p1 = e1 / edge, p2 = e2 / edge;
@@ -25,8 +28,11 @@ glm::vec4 triangle_tangent(const Corner& a, const Corner& b, const Corner& c) {
 
 std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
   // >>> student: sum the tangents of each vertex's triangles by their angles
-  std::vector<glm::vec3> sums(mesh.vertices.size(), glm::vec3(0));
-  std::vector<float> weights(mesh.vertices.size(), 0), ways(mesh.vertices.size(), 0);
+  struct Sum {
+    glm::vec3 direction{0};
+    float weight = 0, way = 0;
+  };
+  std::vector<Sum> sums(mesh.vertices.size());
   for (std::size_t at = 0; at + 2 < mesh.indices.size(); at += 3) {
     const auto vertex = [&](std::size_t k) -> const Vertex& { return mesh.vertices[mesh.indices[at + k % 3]]; };
     const auto corner = [&](std::size_t k) { return Corner{vertex(k).position, vertex(k).texcoord}; };
@@ -35,23 +41,33 @@ std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
     const float scale = 1 / glm::length(vertex(1).position - vertex(0).position);
     const auto edge = [&](std::size_t i, std::size_t k) { return (vertex(k).position - vertex(i).position) * scale; };
     const float double_area = glm::length(glm::cross(edge(0, 1), edge(0, 2)));  // the same from every corner
+    const auto side = [&](std::size_t k) { return glm::dot(edge(k, k + 1), edge(k, k + 2)); };
+    const std::array sides = {side(0), side(1), side(2)};
+    // Two arc tangents: the widest angle is what the others leave of half a turn.
+    const auto widest = std::size_t(std::min_element(sides.begin(), sides.end()) - sides.begin());
+    std::array<float, 3> angles{};
+    angles[widest] = 3.14159265f;
+    for (const std::size_t k : {(widest + 1) % 3, (widest + 2) % 3}) {
+      angles[k] = std::atan2(double_area, sides[k]);
+      angles[widest] -= angles[k];
+    }
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3 n = vertex(k).normal, t = glm::vec3(tangent);
       const glm::vec3 flat = t - glm::dot(t, n) * n;
       const float size = glm::length(flat);
-      const float angle = std::atan2(double_area, glm::dot(edge(k, k + 1), edge(k, k + 2)));
-      const std::uint32_t v = mesh.indices[at + k];
-      if (size > 1e-6f) sums[v] += angle * flat / size;
-      weights[v] += angle;
-      ways[v] += angle * tangent.w;
+      Sum& sum = sums[mesh.indices[at + k]];
+      if (size > 1e-6f) sum.direction += angles[k] / size * flat;
+      sum.weight += angles[k];
+      sum.way += angles[k] * tangent.w;
     }
   }
   std::vector<glm::vec4> tangents(mesh.vertices.size(), glm::vec4(0));
   for (std::size_t v = 0; v < tangents.size(); ++v) {
     const glm::vec3 n = mesh.vertices[v].normal;
-    if (n == glm::vec3(0) || !(glm::length(sums[v]) > 1e-4f * weights[v])) continue;
-    const glm::vec3 t = sums[v] - glm::dot(sums[v], n) * n;
-    tangents[v] = glm::vec4(glm::normalize(t), ways[v] < 0 ? -1.0f : 1.0f);
+    const Sum& sum = sums[v];
+    if (n == glm::vec3(0) || !(glm::length(sum.direction) > 1e-4f * sum.weight)) continue;
+    const glm::vec3 t = sum.direction - glm::dot(sum.direction, n) * n;
+    tangents[v] = glm::vec4(glm::normalize(t), sum.way < 0 ? -1.0f : 1.0f);
   }
   return tangents;
   // --- skeleton
