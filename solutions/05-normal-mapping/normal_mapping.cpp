@@ -45,12 +45,10 @@ std::vector<glm::vec4> vertex_tangents(const Mesh& mesh) {
     const std::array sides = {side(0), side(1), side(2)};
     // Two arc tangents: the widest angle is what the others leave of half a turn.
     const auto widest = std::size_t(std::min_element(sides.begin(), sides.end()) - sides.begin());
+    const std::size_t next = (widest + 1) % 3, last = (widest + 2) % 3;
     std::array<float, 3> angles{};
-    angles[widest] = 3.14159265f;
-    for (const std::size_t k : {(widest + 1) % 3, (widest + 2) % 3}) {
-      angles[k] = std::atan2(double_area, sides[k]);
-      angles[widest] -= angles[k];
-    }
+    for (const std::size_t k : {next, last}) angles[k] = std::atan2(double_area, sides[k]);
+    angles[widest] = 3.14159265f - (angles[next] + angles[last]);
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3 n = vertex(k).normal, t = glm::vec3(tangent);
       const glm::vec3 flat = t - glm::dot(t, n) * n;

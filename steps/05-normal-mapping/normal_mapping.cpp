@@ -1,6 +1,8 @@
 #include "05-normal-mapping/normal_mapping.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace atelier::normal_mapping {
 
