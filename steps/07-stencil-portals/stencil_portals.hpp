@@ -65,7 +65,7 @@ void begin_restore(Gl& gl, int level);
 /// that holds the part of it inside of the picture, cut to `around`, a rectangle too; none if this has no pixel.
 /// `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0. The picture has
 /// `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not matter. An opening may be
-/// very near to the eye (a tenth of a millimetre): floats are not enough. An edge that lies within 0.001 pixel of a
+/// very near to the eye (a hundredth of a millimetre): floats are not enough. An edge that lies within 0.001 pixel of a
 /// pixel's side may count as beyond it or not. An opening seen edge-on, and one with a corner at w = 0 exactly, may
 /// have any rectangle in `around`, or none. Handout, section 5.
 ///
@@ -116,10 +116,11 @@ glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane
 Light light_image(const Light& light, const glm::dmat4& passage);
 
 /// (challenge) Whether a body stands in an opening, so that one part of it is before the plane and another has gone
-/// through. `corners` are those of the body's box in the world; the box may stand askew. True where the plane parts the
-/// box and their common polygon meets the opening's rectangle (|x| <= half_size.x, |y| <= half_size.y of the frame).
-/// False where all corners are on one side of the plane, or all beyond one side of the rectangle (x > half_size.x,
-/// say). In between, either answer is right; so it is within 1e-6 m of each of these limits. Handout, section 8.
+/// through. `corners` are those of the body's box in the world, in any order; the box may stand askew. True where the
+/// plane parts the box and their common polygon meets the opening's rectangle (|x| <= half_size.x, |y| <= half_size.y
+/// of the frame). False where all corners are on one side of the plane, or all beyond one side of the rectangle (x >
+/// half_size.x, say). In between, either answer is right; so it is within 1e-6 m of each of these limits. Handout,
+/// section 8.
 bool stands_in(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, std::span<const glm::dvec3, 8> corners);
 
 }  // namespace atelier::stencil_portals

@@ -8,6 +8,7 @@
 #include "03-shadow-mapping/given/shadowed_surface.hpp"
 #include "07-stencil-portals/given/openings.hpp"
 #include "07-stencil-portals/stencil_portals.hpp"
+#include "scene/light_reach.hpp"
 
 namespace atelier {
 
@@ -31,10 +32,20 @@ bool shines_on(const glm::dmat4& frame, const Light& light) {
   return glm::dot(glm::dvec3(frame[2]), light.position - glm::dvec3(frame[3])) > 0;
 }
 
+/// Whether so little light reaches an opening that 16 images like this change no pixel by 1/255: what comes out of the
+/// exit is at least as far from the light. `given_back`: the most that a surface reflects.
+bool is_too_weak(const Opening& opening, const Light& light, const glm::dvec3& given_back) {
+  Box3 box;
+  for (const glm::dvec4& corner : opening.corners()) box.add(glm::dvec3(corner));
+  const glm::dvec3 most = most_arriving(light, box) * given_back;
+  return std::max({most.r, most.g, most.b}) < least_visible_light / 16;
+}
+
 /// The image of a light behind the exit; none if the light does not enter.
-std::optional<Light> image_through(const Opening& opening, const Light& light) {
+std::optional<Light> image_through(const Opening& opening, const Light& light, const glm::dvec3& given_back) {
   const bool front = shines_on(opening.frame, light);
   if (!front && !(opening.two_sided && shines_on(from_behind(opening.frame), light))) return {};
+  if (is_too_weak(opening, light, given_back)) return {};
   Light image = light_image(light, opening.passage);
   image.passage = {.entry = opening.node,
                    .exit = opening.exit_node,
@@ -49,9 +60,10 @@ std::optional<Light> image_through(const Opening& opening, const Light& light) {
 
 void PortalLights::add_lights(const Scene& scene, std::vector<Light>& lights) const {
   if (!wanted_) return;
+  const glm::dvec3 given_back = most_given_back(scene.materials, [](double exponent) { return (exponent + 8) / 8; });
   for (const Opening& opening : openings_of(scene))
     for (int i = 0; i < int(scene.lights.size()); ++i)
-      if (std::optional<Light> image = image_through(opening, scene.lights[std::size_t(i)])) {
+      if (std::optional<Light> image = image_through(opening, scene.lights[std::size_t(i)], given_back)) {
         image->image_of = i;
         lights.push_back(std::move(*image));
       }

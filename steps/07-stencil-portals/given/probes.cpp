@@ -99,10 +99,13 @@ Numbers probe_rectangle(ProbeContext&, const Arguments& in) {
 Numbers probe_carried(ProbeContext&, const Arguments& in) {
   Camera camera{.eye = in.vec3("eye"), .target = in.vec3("target"), .up = glm::vec3(in.vec3("up"))};
   camera.fov_y = float(in.number("fov_y"));
-  camera.near = 0.25f, camera.far = 50;
+  camera.near = 0.25f, camera.far = 50, camera.height = 7;
   const Camera after = carried(camera, in.mat4("passage"));
-  return {after.eye.x, after.eye.y, after.eye.z, after.target.x, after.target.y,     after.target.z,
-          after.up.x,  after.up.y,  after.up.z,  after.fov_y,    double(after.near), double(after.far)};
+  Numbers out;
+  for (const Numbers& part : {numbers_of(after.eye), numbers_of(after.target), numbers_of(after.up)}) append(out, part);
+  append(out, Numbers{double(after.fov_y), double(after.near), double(after.far), double(after.projection),
+                      double(after.height)});
+  return out;
 }
 
 // ---- Light and bodies
@@ -119,8 +122,9 @@ Numbers probe_light_image(ProbeContext&, const Arguments& in) {
       .outer_angle = 0.75f,
       .casts_shadow = false};
   const Light image = light_image(light, in.mat4("passage"));
-  Numbers out = numbers_of(image.position);
-  append(out, numbers_of(image.direction));
+  // What a type does not use may be anything.
+  Numbers out = numbers_of(light.type == LightType::directional ? glm::dvec3(0) : image.position);
+  append(out, numbers_of(light.type == LightType::point ? glm::vec3(0) : image.direction));
   out.push_back(double(image.type));
   append(out, numbers_of(image.colour));
   append(out, numbers_of(image.attenuation));

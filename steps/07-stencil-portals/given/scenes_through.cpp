@@ -12,6 +12,9 @@ namespace atelier {
 
 namespace {
 
+/// Metres between two rooms: so far that the light of one is too weak in the other, but through a door.
+constexpr double far_away = 512;
+
 void add_post(Scene& scene, int material, const glm::dvec3& foot, float height) {
   add_object(scene, make_box({.size = {0.16f, height, 0.16f}}), material,
              {.name = "post", .translation = foot + glm::dvec3(0, height / 2, 0), .rotation_angle = degrees(20)});
@@ -30,25 +33,31 @@ Scene make_lamp_scene() {
   const int white = add_material(scene, plastic("white", glm::vec3(0.8f), 60));
   const Look look = add_look(scene, {0.35f, 0.25f, 0.15f});
   add_room(scene, 0, 0, {7, 3.5f, 7}, warm, tiles);
-  add_room(scene, 40, 0, {7, 3.5f, 8}, grey, slate);
+  add_room(scene, far_away, 0, {7, 3.5f, 8}, grey, slate);
   const int here = add_door(scene, quarter_turned("door here", {0, 1.25, -2}, 0), look);
-  const int there = add_door(scene, quarter_turned("door there", {40, 1.25, -2.5}, 0), look);
+  const int there = add_door(scene, quarter_turned("door there", {far_away, 1.25, -2.5}, 0), look);
   join(scene, here, there, {0.02f, 0.03f, 0.05f});
-  const int glass = add_door(
-      scene, {.name = "mirror", .translation = {42.4, 1.0, 1.2}, .rotation_angle = degrees(-115)}, look, 1.4f, 1.6f);
+  const int glass =
+      add_door(scene, {.name = "mirror", .translation = {far_away + 2.4, 1.0, 1.2}, .rotation_angle = degrees(-115)},
+               look, 1.4f, 1.6f);
   scene.portals.push_back({.node = glass, .colour = {0.4f, 0.4f, 0.45f}});
   add_post(scene, copper, {0.35, 0, -0.9}, 1.5f);
-  add_post(scene, white, {39.7, 0, -0.6}, 0.9f);
-  add_object(scene, make_sphere({.radius = 0.35f}), copper, {.name = "ball", .translation = {38.6, 0.35, 0.9}});
+  add_post(scene, white, {far_away - 0.3, 0, -0.6}, 0.9f);
+  add_object(scene, make_sphere({.radius = 0.35f}), copper,
+             {.name = "ball", .translation = {far_away - 1.4, 0.35, 0.9}});
   add_light(scene, {.name = "lamp", .position = {0.7, 2.2, 0.9}, .colour = {7, 5.8f, 4.2f}});
   add_light(scene, {.type = LightType::spot,
                     .name = "torch",
-                    .position = {40.4, 2.6, 0.2},
+                    .position = {far_away + 0.4, 2.6, 0.2},
                     .direction = {2.0f, -1.5f, 1.0f},
                     .colour = {4, 5, 7},
                     .inner_angle = 0.3f,
                     .outer_angle = 0.42f});
-  scene.camera = {.eye = {38.2, 2.3, 3.6}, .target = {40.6, 0.6, -0.4}, .fov_y = degrees(62), .near = 0.1f, .far = 60};
+  scene.camera = {.eye = {far_away - 1.8, 2.3, 3.6},
+                  .target = {far_away + 0.6, 0.6, -0.4},
+                  .fov_y = degrees(62),
+                  .near = 0.1f,
+                  .far = 60};
   return scene;
 }
 
@@ -61,11 +70,10 @@ Scene make_astride_scene(double way) {
   const int slate = checkered(scene, "slate", {0.5f, 0.55f, 0.6f, 1}, {0.22f, 0.25f, 0.3f, 1});
   const int red = add_material(scene, plastic("red", {0.75f, 0.12f, 0.08f}, 60));
   const Look look = add_look(scene, {0.35f, 0.25f, 0.15f});
-  // Both rooms are seen: a wall parts them, and the doors stand side by side.
   add_room(scene, -3, 0, {6, 3.5f, 8}, warm, tiles);
-  add_room(scene, 3.25, 0, {6, 3.5f, 8}, cool, slate);
+  add_room(scene, far_away + 3.25, 0, {6, 3.5f, 8}, cool, slate);
   const int here = add_door(scene, quarter_turned("door here", {-2, 1.25, -1.5}, 0), look);
-  const int there = add_door(scene, quarter_turned("door there", {2.5, 1.25, -1.5}, 0), look);
+  const int there = add_door(scene, quarter_turned("door there", {far_away + 2.5, 1.25, -1.5}, 0), look);
   join(scene, here, there, {0.02f, 0.03f, 0.05f});
   add_traveller(scene, here, there, make_box({.size = {0.5f, 0.7f, 1.4f}}), red,
                 {.name = "body",
@@ -73,7 +81,7 @@ Scene make_astride_scene(double way) {
                  .rotation_axis = {0.2f, 1, 0.1f},
                  .rotation_angle = degrees(35)});
   add_light(scene, {.name = "lamp here", .position = {-2.9, 2.8, 0.8}, .colour = {6, 5.2f, 4.2f}});
-  add_light(scene, {.name = "lamp there", .position = {3.6, 2.8, 0.6}, .colour = {3.6f, 4.6f, 6}});
+  add_light(scene, {.name = "lamp there", .position = {far_away + 3.6, 2.8, 0.6}, .colour = {3.6f, 4.6f, 6}});
   scene.camera = {.eye = {-0.9, 2.0, 3.4}, .target = {-1.7, 0.9, -1.5}, .fov_y = degrees(58), .near = 0.1f, .far = 60};
   return scene;
 }
