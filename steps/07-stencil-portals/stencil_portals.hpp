@@ -62,12 +62,12 @@ void begin_restore(Gl& gl, int level);
 // ---------------------------------------------------------------------------------------------------------------------
 
 /// Where an opening is visible: the smallest rectangle of whole pixels (x, y of the lower left corner, width, height)
-/// that holds the part of it inside of the picture, cut to `around`, a rectangle too; none if this has no pixel.
-/// `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0. The picture has
-/// `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not matter. An opening may be
-/// very near to the eye (a hundredth of a millimetre): floats are not enough. An edge that lies within 0.001 pixel of a
-/// pixel's side may count as beyond it or not. An opening seen edge-on, and one with a corner at w = 0 exactly, may
-/// have any rectangle in `around`, or none. Handout, section 5.
+/// that holds the part of it inside of the picture. This rectangle is then cut to `around`, another one; none if no
+/// pixel is left. `corners` are those of a convex polygon, in order, in clip space; those behind the eye have w < 0.
+/// The picture has `size` pixels; x = -w and y = -w are its left and lower sides. Near and far planes do not matter. An
+/// opening may be very near to the eye (a hundredth of a millimetre): floats are not enough. An edge that lies within
+/// 0.001 pixel of a pixel's side may count as beyond it or not. An opening seen edge-on, and one with a corner at w = 0
+/// exactly, may have any rectangle in `around`, or none. Handout, section 5.
 ///
 /// Size 100 x 100, around all of it, corners (-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5) with w = 1:
 /// (25, 25, 50, 50).
