@@ -73,7 +73,7 @@ RatioPlan read_ratio_plan(const std::filesystem::path& file) {
 
 bool holds(const RatioRow& row, const MeasuredRatio& measured) {
   const bool cheap = !row.at_most || measured.ratio.median <= *row.at_most;
-  const bool same = !row.alike || measured.difference <= row.alike;
+  const bool same = !row.alike || (measured.difference && *measured.difference <= *row.alike);
   return cheap && same;
 }
 

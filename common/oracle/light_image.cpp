@@ -41,7 +41,7 @@ std::vector<LightImage> light_images(const Scene& scene) {
       const double height = height_over(entry, light);
       if (height == 0 || (height < 0 && !two_sided)) continue;
       const glm::dmat4 side = height > 0 ? exit : glm::dmat4(-exit[0], exit[1], -exit[2], exit[3]);
-      images.push_back({carried(light, through), through, glm::inverse(through), glm::inverse(side), half_size});
+      images.push_back({carried(light, through), glm::inverse(through), glm::inverse(side), half_size});
     }
   }
   return images;

@@ -10,10 +10,10 @@ namespace atelier::oracle {
 
 /// A light as it is seen in an opening.
 struct LightImage {
-  Light light;                     ///< carried through the opening: it lies behind the exit
-  glm::dmat4 through{1}, back{1};  ///< from the entry's side to the exit's, and back: world space
-  glm::dmat4 world_to_exit{1};     ///< its light comes out along the frame's +z
-  glm::dvec2 half_size{0};         ///< of the rectangle around the opening, in the exit's plane z = 0
+  Light light;                  ///< carried through the opening: it lies behind the exit
+  glm::dmat4 back{1};           ///< from the exit's side back to the entry's: world space
+  glm::dmat4 world_to_exit{1};  ///< its light comes out along the frame's +z
+  glm::dvec2 half_size{0};      ///< of the rectangle around the opening, in the exit's plane z = 0
 };
 
 /// Those of all lights and openings of a valid scene where the light shines on the opening's front, or on any side of

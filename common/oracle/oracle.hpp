@@ -21,6 +21,7 @@
 //   tangents.hpp     tangents of a mesh
 //   normal_map.hpp   the normal under a normal map
 //   light.hpp        incident light
+//   light_image.hpp  images of lights in portals and mirrors
 //   blinn_phong.hpp  reflected light, and the albedo
 //   shading.hpp      options: which part of the light, which shadows
 //   shadow.hpp       the visible fraction of a light
@@ -46,6 +47,7 @@
 #include "oracle/frame.hpp"
 #include "oracle/height_field.hpp"
 #include "oracle/light.hpp"
+#include "oracle/light_image.hpp"
 #include "oracle/normal_map.hpp"
 #include "oracle/picture.hpp"
 #include "oracle/portal.hpp"

@@ -202,10 +202,10 @@ double visibility(const World& world, const SurfacePoint& point, const Light& li
 
 double visibility(const World& world, const SurfacePoint& point, const LightImage& image, const Shading& shading) {
   validate(shading);
+  const bool endless = image.light.type == LightType::directional;
   const double gap = off_surface * (std::max(world.reach(), largest_component(point.position)) +
-                                    largest_component(image.light.position));
-  const glm::dvec3 towards = image.light.type == LightType::directional ? -glm::dvec3(image.light.direction)
-                                                                        : image.light.position - point.position;
+                                    (endless ? 0 : largest_component(image.light.position)));
+  const glm::dvec3 towards = endless ? -glm::dvec3(image.light.direction) : image.light.position - point.position;
   const bool above = glm::dot(point.flat_normal, towards) >= 0;
   const auto way = way_to(image, point.position + (above ? gap : -gap) * point.flat_normal, 10 * gap);
   if (!way) return 0;

@@ -32,7 +32,8 @@ double visibility(const World& world, const SurfacePoint& point, const Light& li
 
 /// The same of the image of a light in an opening: 0 where the way to it does not lead through the opening; otherwise
 /// what is before the exit, and what is between the entry and the light, occludes it. Only hard shadows: throws Error
-/// for soft ones of lights that have a width. Ignores `shading.share`.
+/// for soft ones of lights that have a width, if the shading has light that goes through portals. Ignores
+/// `shading.share`.
 double visibility(const World& world, const SurfacePoint& point, const LightImage& image, const Shading& shading);
 
 }  // namespace atelier::oracle

@@ -24,7 +24,8 @@
 
 namespace atelier {
 
-/// The functions are called in the order of their declarations.
+/// The functions are called in the order of their declarations; draw_before is called before the background is cleared
+/// where no views are drawn inside.
 class Feature {
  public:
   virtual ~Feature() = default;
@@ -73,7 +74,8 @@ class Feature {
   virtual bool may_draw_instead(const View&) const { return false; }
 
   /// Draws views inside this one, with ScenePainter::draw_view_inside, before its surfaces: what their openings hide is
-  /// not shaded. It is called for these views too: the feature must limit the recursion.
+  /// not shaded. Called if any feature needs a stencil buffer, for these views too: the feature must limit the
+  /// recursion.
   virtual void draw_inside(Gl&, const Scene&, const Viewpoint&, const Target&, ScenePainter&) {}
 
   /// Draws what the view's surfaces need into targets of the feature's own, such as shadow maps. They are valid until
@@ -89,9 +91,9 @@ class Feature {
   /// `need`.
   virtual bool hides(const Scene&, const View&, const Node&) const { return false; }
 
-  /// Called for each node with a mesh. May depend on scene, settings, the view's output and the result of
-  /// `draw_before`; if the latter changes the return value, call `structure_changed`. The same holds for the functions
-  /// below, up to `outputs`.
+  /// Called for each node with a mesh. May depend on scene, settings, the view's output, whether it has an
+  /// openings_clip_plane, and the result of `draw_before`; if the latter changes the return value, call
+  /// `structure_changed`. The same holds for the functions below, up to `outputs`.
   virtual Need need(const Scene&, const View&, const Node&) const = 0;
 
   /// The slots that it fills in nodes that need it.

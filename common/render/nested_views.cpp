@@ -8,6 +8,16 @@
 
 namespace atelier {
 
+namespace {
+
+/// The stencil test as in the outermost view.
+void default_stencil(Gl& gl) {
+  gl.Disable(GL_STENCIL_TEST);
+  gl.StencilFunc(GL_ALWAYS, 0, 0xff);
+}
+
+}  // namespace
+
 /// Draws the surface of an opening in one colour, in the enclosing view. Depths are clamped: an opening nearer than the
 /// near plane must not leave a hole while a visitor goes through it.
 void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::vec3& colour) {
@@ -54,7 +64,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
 
   const DebugGroup group(gl_, fmt::format("view inside, level {}", view.stencil_level));
   set_bounds(around, target);
-  gl_.Disable(GL_STENCIL_TEST);  // as in the outermost view: whoever marks must say what is compared
+  default_stencil(gl_);  // whoever marks must say what is compared
   functions.begin_mark(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
 
@@ -72,7 +82,7 @@ void Renderer::draw_view_inside(View view, const Viewpoint& around, const Target
   // A view with another origin has recomputed the nodes' matrices.
   counts_.matrices += nodes_->place(around.view.camera_relative, around.origin);
   set_bounds(around, target);
-  gl_.Disable(GL_STENCIL_TEST);
+  default_stencil(gl_);
   functions.begin_restore(gl_, level);
   paint_opening(around, opening, glm::vec3(0));
   set_bounds(around, target);

@@ -121,7 +121,7 @@ const std::vector<Renderer::Variant>& Renderer::variants(const View& view, const
   if (version != variants_version_) variants_.clear();
   variants_version_ = version;
   const ColourFormat format = target.spec().colour;
-  const ViewKind kind{view.output, view.clip_plane.has_value(), view.parent != nullptr,
+  const ViewKind kind{view.output, view.clip_plane.has_value(), view.openings_clip_plane.has_value(),
                       format == ColourFormat::rgba8 || format == ColourFormat::srgb8};
   if (const auto found = variants_.find(kind); found != variants_.end()) return found->second;
   std::vector<Variant> found;
@@ -297,22 +297,21 @@ void Renderer::draw_before(const Viewpoint& viewpoint, const Target& target) {
 
 void Renderer::draw_scene(const View& view, const Target& target) {
   const Viewpoint viewpoint = look(view, target.spec());
-  const glm::ivec4 bounds = view.scissor.value_or(glm::ivec4(0, 0, target.spec().width, target.spec().height));
-  ++counts_.views;
-  counts_.view_pixels += std::int64_t(bounds.z) * bounds.w;
   counts_.matrices += nodes_->place(view.camera_relative, viewpoint.origin);
-  const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
+  const glm::ivec4 pixels = view.scissor.value_or(glm::ivec4(0, 0, target.spec().width, target.spec().height));
+  ++counts_.views;
+  counts_.view_pixels += std::int64_t(pixels.z) * pixels.w;
   const bool instead =
       std::ranges::any_of(features_, [&](const auto& feature) { return feature->may_draw_instead(view); });
-  if (!instead && needs_stencil()) {
+  const bool nests = !instead && needs_stencil();
+  if (!nests) draw_before(viewpoint, target);
+  const DebugGroup group(gl_, (view.parent ? "scene inside: " : "scene: ") + view.output);
+  begin(viewpoint, target);
+  if (nests) {
     // Views inside come first: what their openings hide need not be shaded, and their maps replace those of this view.
-    begin(viewpoint, target);
     for (const auto& feature : features_) feature->draw_inside(gl_, *scene_, viewpoint, target, *this);
     draw_before(viewpoint, target);
     set_bounds(viewpoint, target);
-  } else {
-    draw_before(viewpoint, target);
-    begin(viewpoint, target);
   }
   if (instead && drawn_instead(view, target)) return;
   draw_nodes(viewpoint, target);

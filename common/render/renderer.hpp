@@ -66,7 +66,7 @@ class Renderer : private ScenePainter {
   struct ViewKind {
     std::string output;
     bool clipped = false;
-    bool inside = false;            ///< another view
+    bool cuts_openings = false;     ///< View::openings_clip_plane
     bool marks_non_finite = false;  ///< the target's format cannot store NaN and infinity
     auto operator<=>(const ViewKind&) const = default;
   };

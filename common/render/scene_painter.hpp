@@ -30,7 +30,7 @@ struct PassSources {
 /// The functions of step 07 that the renderer calls for nested views. The feature itself computes the virtual camera
 /// and the clipped projection, and passes their matrices in the View. Clipping with clip distances is View::clip_plane,
 /// with discarded fragments the slot discard_fragment. Both functions are called with default OpenGL state plus the
-/// scissor and stencil test of the enclosing view; the surface of the opening is drawn right after each.
+/// scissor, clip distance and depth test of the enclosing view; the surface of the opening is drawn right after each.
 struct NestingFunctions {
   /// Marking: the visible pixels of the opening raise the stencil buffer from `level` to level + 1. Changes neither
   /// colour nor depth.

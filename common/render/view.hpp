@@ -26,8 +26,9 @@ struct View {
   bool mirrored = false;          ///< world_to_view has an odd number of reflections: front faces are clockwise
 
   // Bounds of the view in the target and in the world.
-  std::optional<glm::ivec4> scissor;     ///< pixels: x, y of the lower left corner, width, height
-  std::optional<glm::dvec4> clip_plane;  ///< absolute world space: points with dot(plane, (p, 1)) < 0 are clipped
+  std::optional<glm::ivec4> scissor;  ///< pixels: x, y of the lower left corner, width, height
+  std::optional<glm::dvec4>
+      clip_plane;  ///< absolute world space: points of surfaces with dot(plane, (p, 1)) < 0 are clipped
   std::optional<glm::dvec4> openings_clip_plane;  ///< the same for the openings of views inside this one
   int stencil_level = 0;                          ///< above 0: drawn only where the stencil buffer holds this number
   const View* parent = nullptr;                   ///< the enclosing view; null: this view has its own target

@@ -109,18 +109,18 @@ glm::mat4 oblique_projection(const glm::mat4& projection, const glm::vec4& plane
 // Challenge: light and bodies that go through. You also write `comes_out` in stencil_portals.glsl.
 // ---------------------------------------------------------------------------------------------------------------------
 
-/// (challenge) The image of a light: a light that shines, straight through the opening, where the light itself shines
-/// on its way through the portal (or after the mirror). Its place and the direction in which it shines are carried
-/// through; all else stays. What a type does not use (a point light's direction, a directional light's place) may
-/// become anything. Handout, section 8.
+/// (challenge) The image of a light: the light that lights every point behind the exit as the light itself does through
+/// the portal (or after the mirror). Its place and the direction in which it shines are carried through; all else
+/// stays. What a type does not use (a point light's direction, a directional light's place) may become anything.
+/// Handout, section 8.
 Light light_image(const Light& light, const glm::dmat4& passage);
 
 /// (challenge) Whether a body stands in an opening, so that one part of it is before the plane and another has gone
 /// through. `corners` are those of the body's box in the world, in any order; the box may stand askew. True where the
 /// plane parts the box and their common polygon meets the opening's rectangle (|x| <= half_size.x, |y| <= half_size.y
 /// of the frame). False where all corners are on one side of the plane, or all beyond one side of the rectangle (x >
-/// half_size.x, say). In between, either answer is right; so it is within 1e-6 m of each of these limits. Handout,
-/// section 8.
+/// half_size.x, say). In between, either answer is right. Within 1e-6 m of these limits either answer is right, too.
+/// Handout, section 8.
 bool stands_in(const glm::dmat4& frame_to_world, const glm::dvec2& half_size, std::span<const glm::dvec3, 8> corners);
 
 }  // namespace atelier::stencil_portals

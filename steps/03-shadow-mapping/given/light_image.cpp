@@ -42,13 +42,15 @@ shadow_mapping::LightFrustum frustum_through(const Light& image, const glm::dvec
       extent = std::max(extent, parallel ? aside : std::atan2(aside, along));
       near = std::min(near, along);
     }
-  for (const glm::dvec3& point : points) far = std::max(far, glm::dot(axis, point - eye));
+  const glm::dvec3 ahead(passage.exit_to_world[2]);
+  for (const glm::dvec3& point : points)
+    if (glm::dot(ahead, point - centre) > 0) far = std::max(far, glm::dot(axis, point - eye));
   far = std::max(far, near + 1e-3);
   return {.orthographic = parallel,
           .eye = glm::vec3(eye),
           .direction = glm::vec3(axis),
           .extent = float(parallel ? extent : std::clamp(1.001 * extent, 0.001, 1.5)),
-          .near = float(parallel ? near : std::max(0.99 * near, far / 1000)),
+          .near = float(parallel ? near : std::max(0.99 * near, far / 1e5)),
           .far = float(far)};
 }
 

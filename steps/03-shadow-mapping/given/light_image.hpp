@@ -16,8 +16,8 @@ struct MovedPassage {
 MovedPassage moved_passage(const Passage& passage, const glm::dvec3& origin);
 
 /// The frustum around the opening of an image, with the near plane at the opening, and the far plane at the farthest of
-/// `points`. A light that is very near to the plane of its opening has a frustum of 1.5 radians, which misses what is
-/// lit at a grazing angle.
+/// `points` before the exit. A light that is very near to the plane of its opening has a frustum of 1.5 radians, which
+/// misses what is lit at a grazing angle.
 shadow_mapping::LightFrustum frustum_through(const Light& image, const glm::dvec3& origin,
                                              std::span<const glm::dvec3> points);
 

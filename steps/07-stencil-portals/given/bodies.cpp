@@ -26,15 +26,8 @@ std::vector<int> parts_of(const Scene& scene, int body) {
 }
 
 /// The corners of a node's box, in the world.
-std::array<glm::dvec3, 8> corners_of(const Scene& scene, int node, const glm::dmat4& to_world) {
-  const Box3 box = box_around(scene.meshes[std::size_t(*scene.nodes[std::size_t(node)].mesh)]);
-  std::array<glm::dvec3, 8> corners;
-  for (int i = 0; i < 8; ++i) {
-    const glm::dvec3 corner(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y,
-                            i & 4 ? box.high.z : box.low.z);
-    corners[std::size_t(i)] = glm::dvec3(to_world * glm::dvec4(corner, 1));
-  }
-  return corners;
+std::array<glm::dvec3, 8> corners_in_world(const Scene& scene, int node, const glm::dmat4& to_world) {
+  return corners_of(box_around(scene.meshes[std::size_t(*scene.nodes[std::size_t(node)].mesh)]), to_world);
 }
 
 /// Adds a node with the same mesh and material at a place in the world. The translation stays in double precision.
@@ -69,8 +62,10 @@ void split_bodies(Scene& scene) {
     const std::vector<int> parts = parts_of(scene, body);
     for (const Opening& opening : openings) {
       if (opening.mirror) continue;
+      // Behind a door that is open on one side a body has not gone through it.
+      if (!opening.two_sided && !before(opening.frame, glm::dvec3(world[std::size_t(body)][3]))) continue;
       const bool inside = std::ranges::any_of(parts, [&](int part) {
-        return stands_in(opening.frame, opening.half_size, corners_of(scene, part, world[std::size_t(part)]));
+        return stands_in(opening.frame, opening.half_size, corners_in_world(scene, part, world[std::size_t(part)]));
       });
       if (!inside) continue;
       split(scene, body, parts, world, opening);

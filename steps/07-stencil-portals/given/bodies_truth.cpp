@@ -89,6 +89,9 @@ void split_bodies_exactly(Scene& scene) {
       if (scene.nodes[std::size_t(i)].mesh && belongs_to(scene, i, body)) parts.push_back(i);
     const auto standing = std::ranges::find_if(scene.portals, [&](const Portal& portal) {
       if (!portal.exit) return false;
+      const Material& material = scene.materials[std::size_t(scene.nodes[std::size_t(portal.node)].material)];
+      const glm::dvec4 origin = world[std::size_t(body)][3];
+      if (!material.two_sided && glm::dot(plane_of(world[std::size_t(portal.node)], false), origin) < 0) return false;
       glm::dvec2 half_size(0);
       const Mesh& opening = scene.meshes[std::size_t(*scene.nodes[std::size_t(portal.node)].mesh)];
       for (const Vertex& vertex : opening.vertices)

@@ -22,9 +22,12 @@ std::vector<SettingSpec> portal_light_settings() {
 
 void PortalLights::configure(const Settings& settings) {
   wanted_ = settings.flag("portals.lights");
+  cull_ = settings.flag("light.cull");
 }
 
 namespace {
+
+constexpr std::size_t most_images = 32;  ///< each has a map, and uniforms in every surface's shader
 
 /// Whether a light shines on the side that a frame's +z faces.
 bool shines_on(const glm::dmat4& frame, const Light& light) {
@@ -32,20 +35,19 @@ bool shines_on(const glm::dmat4& frame, const Light& light) {
   return glm::dot(glm::dvec3(frame[2]), light.position - glm::dvec3(frame[3])) > 0;
 }
 
-/// Whether so little light reaches an opening that 16 images like this change no pixel by 1/255: what comes out of the
-/// exit is at least as far from the light. `given_back`: the most that a surface reflects.
-bool is_too_weak(const Opening& opening, const Light& light, const glm::dvec3& given_back) {
+/// The most light, on any surface, that an image may give: what comes out of the exit is at least as far from the light
+/// as the entry. `given_back`: the most that a surface reflects.
+double most_light(const Opening& opening, const Light& light, const glm::dvec3& given_back) {
   Box3 box;
   for (const glm::dvec4& corner : opening.corners()) box.add(glm::dvec3(corner));
   const glm::dvec3 most = most_arriving(light, box) * given_back;
-  return std::max({most.r, most.g, most.b}) < least_visible_light / 16;
+  return std::max({most.r, most.g, most.b});
 }
 
 /// The image of a light behind the exit; none if the light does not enter.
-std::optional<Light> image_through(const Opening& opening, const Light& light, const glm::dvec3& given_back) {
+std::optional<Light> image_through(const Opening& opening, const Light& light) {
   const bool front = shines_on(opening.frame, light);
   if (!front && !(opening.two_sided && shines_on(from_behind(opening.frame), light))) return {};
-  if (is_too_weak(opening, light, given_back)) return {};
   Light image = light_image(light, opening.passage);
   image.passage = {.entry = opening.node,
                    .exit = opening.exit_node,
@@ -61,12 +63,23 @@ std::optional<Light> image_through(const Opening& opening, const Light& light, c
 void PortalLights::add_lights(const Scene& scene, std::vector<Light>& lights) const {
   if (!wanted_) return;
   const glm::dvec3 given_back = most_given_back(scene.materials, [](double exponent) { return (exponent + 8) / 8; });
-  for (const Opening& opening : openings_of(scene))
-    for (int i = 0; i < int(scene.lights.size()); ++i)
-      if (std::optional<Light> image = image_through(opening, scene.lights[std::size_t(i)], given_back)) {
-        image->image_of = i;
-        lights.push_back(std::move(*image));
-      }
+  const std::vector<Opening> openings = openings_of(scene);
+  // All that are left out together change no pixel by 1/255.
+  const double enough = cull_ ? least_visible_light / double(openings.size() * scene.lights.size() + 1) : 0;
+  std::size_t images = 0;
+  for (const Opening& opening : openings)
+    for (int i = 0; i < int(scene.lights.size()); ++i) {
+      const Light& light = scene.lights[std::size_t(i)];
+      std::optional<Light> image = image_through(opening, light);
+      if (!image || most_light(opening, light, given_back) < enough) continue;
+      if (++images > most_images)
+        throw Error(
+            fmt::format("portals.lights=on needs more than {} images of lights: this scene has {} lights and {} "
+                        "openings",
+                        most_images, scene.lights.size(), openings.size()));
+      image->image_of = i;
+      lights.push_back(std::move(*image));
+    }
 }
 
 /// Of the drawn lights, those that are images, in the order of the shader's list.

@@ -22,7 +22,7 @@ class PortalLights : public Feature {
   std::vector<int> images() const;
 
   const DrawnLights& lights_;
-  bool wanted_ = false;
+  bool wanted_ = false, cull_ = true;
 };
 
 }  // namespace atelier

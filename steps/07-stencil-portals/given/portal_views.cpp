@@ -150,7 +150,7 @@ void PortalViews::draw_inside(Gl&, const Scene&, const Viewpoint& around, const 
 }
 
 Need PortalViews::need(const Scene&, const View& view, const Node&) const {
-  return {.wanted = clip_ == Clip::discard && view.parent};
+  return {.wanted = clip_ == Clip::discard && view.openings_clip_plane};
 }
 
 std::map<Slot, SlotCode> PortalViews::slots() const {
@@ -158,7 +158,8 @@ std::map<Slot, SlotCode> PortalViews::slots() const {
 }
 
 void PortalViews::bind_view(Binder& binder, const Scene&, const Viewpoint& viewpoint) {
-  binder.set("u_opening_plane", moved_plane(exits_.back().plane, viewpoint.origin));
+  if (const auto& plane = viewpoint.view.openings_clip_plane)
+    binder.set("u_opening_plane", moved_plane(*plane, viewpoint.origin));
 }
 
 }  // namespace atelier
