@@ -10,11 +10,11 @@ bool cut_away(vec3 position, vec4 plane) {
   return false;
 }
 
-// (challenge) Whether the light of an image reaches a point through the opening. The image is behind the exit: on the
-// side z < 0 of its frame, to which world_to_exit maps the world. Its light comes out of the rectangle |x| <=
-// half_size.x, |y| <= half_size.y of the plane z = 0, and goes on to the side z > 0. position is the point, to_light the
-// direction to the image, of unit length; both in world space. False for a point behind the exit or on its plane. At the
-// rectangle's rim either answer is right. Handout, section 8.
+// (challenge) Whether the light of an image reaches a point through the opening. world_to_exit maps world space to the
+// exit's frame. The image is behind the exit, at z < 0. Its light comes out of the rectangle |x| <= half_size.x, |y| <=
+// half_size.y of the plane z = 0, and goes on to z > 0. position is the point, to_light the direction to the image, of
+// unit length; both in world space. False for a point behind the exit or on its plane. At the rectangle's rim either
+// answer is right. Handout, section 8.
 // Exit at the origin, not turned, half_size (1, 1): from (0, 0, 2) towards (0, 0, -1) it does; from (0, 0, 2) towards
 // (0.8, 0, -0.6) it does not, since that line meets the plane at (2.67, 0, 0).
 bool comes_out(vec3 position, vec3 to_light, mat4 world_to_exit, vec2 half_size) {
