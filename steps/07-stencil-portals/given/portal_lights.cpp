@@ -23,6 +23,7 @@ std::vector<SettingSpec> portal_light_settings() {
 void PortalLights::configure(const Settings& settings) {
   wanted_ = settings.flag("portals.lights");
   cull_ = settings.flag("light.cull");
+  normalised_ = settings.choice("specular.normalisation") != "none";
 }
 
 namespace {
@@ -62,7 +63,8 @@ std::optional<Light> image_through(const Opening& opening, const Light& light) {
 
 void PortalLights::add_lights(const Scene& scene, std::vector<Light>& lights) const {
   if (!wanted_) return;
-  const glm::dvec3 given_back = most_given_back(scene.materials, [](double exponent) { return (exponent + 8) / 8; });
+  const auto lobe = [&](double exponent) { return normalised_ ? (exponent + 8) / 8 : 1; };  // at most (light_reach.hpp)
+  const glm::dvec3 given_back = most_given_back(scene.materials, lobe);
   const std::vector<Opening> openings = openings_of(scene);
   // All that are left out together change no pixel by 1/255.
   const double enough = cull_ ? least_visible_light / double(openings.size() * scene.lights.size() + 1) : 0;

@@ -21,7 +21,8 @@ const int directional_images[DIRECTIONAL_LIGHTS] = int[](DIRECTIONAL_IMAGES);
 
 float through_opening_of(int image, vec3 position, vec3 to_light) {
   if (image < 0) return 1.0;
-  return comes_out(position, to_light, u_light_images[image].world_to_exit, u_light_images[image].half_size) ? 1.0 : 0.0;
+  return comes_out(position, to_light, u_light_images[image].world_to_exit, u_light_images[image].half_size) ? 1.0
+                                                                                                             : 0.0;
 }
 
 float point_light_through_opening(int light, vec3 position, vec3 normal, vec3 to_light) {

@@ -22,7 +22,7 @@ class PortalLights : public Feature {
   std::vector<int> images() const;
 
   const DrawnLights& lights_;
-  bool wanted_ = false, cull_ = true;
+  bool wanted_ = false, cull_ = true, normalised_ = false;
 };
 
 }  // namespace atelier

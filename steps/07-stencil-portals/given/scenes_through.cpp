@@ -12,8 +12,8 @@ namespace atelier {
 
 namespace {
 
-/// Metres between two rooms: so far that the light of one is too weak in the other, but through a door.
-constexpr double far_away = 512;
+/// Metres between two rooms.
+constexpr double far_away = 40;
 
 void add_post(Scene& scene, int material, const glm::dvec3& foot, float height) {
   add_object(scene, make_box({.size = {0.16f, height, 0.16f}}), material,
