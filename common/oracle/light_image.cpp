@@ -34,9 +34,7 @@ std::vector<LightImage> light_images(const Scene& scene) {
     const glm::dmat4& exit = world[std::size_t(portal.exit.value_or(portal.node))];
     const glm::dmat4 through = passage_of(portal, world);
     const bool two_sided = scene.materials[std::size_t(node.material)].two_sided;
-    glm::dvec2 half_size(0);
-    for (const Vertex& vertex : scene.meshes[std::size_t(*node.mesh)].vertices)
-      half_size = glm::max(half_size, glm::abs(glm::dvec2(vertex.position)));
+    const glm::dvec2 half_size = half_size_of(scene, portal);
     for (const Light& light : scene.lights) {
       const double height = height_over(entry, light);
       if (height == 0 || (height < 0 && !two_sided)) continue;

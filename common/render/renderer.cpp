@@ -360,14 +360,14 @@ void Renderer::paint(const PassSources& pass, std::span<const int> items, const 
   if (items.empty()) return;
   // First the whole nodes, then those that end at a plane, which need another program.
   for (const bool kept : {false, true}) {
-    PassSources sources = pass;
-    if (kept) sources.structure["KEPT"] = "1";
     Program* chosen = nullptr;
     std::optional<Binder> binder;
     for (const int i : items) {
       const Item& item = nodes_->items()[std::size_t(i)];
       if (item.kept.has_value() != kept) continue;
       if (!chosen) {
+        PassSources sources = pass;
+        if (kept) sources.structure["KEPT"] = "1";
         chosen = &programs_.pass(sources);
         gl_.UseProgram(chosen->program.id());
         binder.emplace(gl_, chosen->uniforms);

@@ -188,22 +188,21 @@ glm::ivec4 ShadowedSurface::texels_to_draw(const MappedLight& map) const {
 namespace {
 
 /// The depth pass, of whole nodes or of what is on the positive side of a plane.
-const PassSources& depth_pass(bool clipped) {
-  static const auto make = [](const char* clip) {
-    return PassSources{.name = "depth pass",
-                       .vertex = std::string("uniform mat4 u_light_view, u_light_projection;\n"
-                                             "uniform vec4 u_clip_plane;\n"
-                                             "#include \"03-shadow-mapping/depth_pass.glsl\"\n"
-                                             "void main() {\n"
-                                             "  gl_Position = depth_pass_position(a_position);\n") +
-                                 clip + "}\n",
-                       .fragment = "void main() {}\n"};
-  };
-  static const PassSources whole = make(""),
-                           part = make(
-                               "  gl_ClipDistance[0] =\n"
-                               "      dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n");
-  return clipped ? part : whole;
+PassSources depth_pass(bool clipped) {
+  PassSources pass{.name = "depth pass",
+                   .vertex =
+                       "uniform mat4 u_light_view, u_light_projection;\n"
+                       "#ifdef CLIPPED\nuniform vec4 u_clip_plane;\n#endif\n"
+                       "#include \"03-shadow-mapping/depth_pass.glsl\"\n"
+                       "void main() {\n"
+                       "  gl_Position = depth_pass_position(a_position);\n"
+                       "#ifdef CLIPPED\n"
+                       "  gl_ClipDistance[0] = dot(u_clip_plane, vec4(world_position(u_model, a_position), 1.0));\n"
+                       "#endif\n"
+                       "}\n",
+                   .fragment = "void main() {}\n"};
+  if (clipped) pass.structure["CLIPPED"] = "1";
+  return pass;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "07-stencil-portals/given/body_parts.hpp"
 #include "07-stencil-portals/given/openings.hpp"
 #include "07-stencil-portals/stencil_portals.hpp"
 
@@ -13,32 +14,9 @@ using namespace stencil_portals;
 
 namespace {
 
-/// The nodes with a mesh at or below a node.
-std::vector<int> parts_of(const Scene& scene, int body) {
-  std::vector<bool> inside(scene.nodes.size(), false);
-  std::vector<int> parts;
-  for (const int i : parents_first(scene.nodes)) {
-    const Node& node = scene.nodes[std::size_t(i)];
-    inside[std::size_t(i)] = i == body || (node.parent >= 0 && inside[std::size_t(node.parent)]);
-    if (inside[std::size_t(i)] && node.mesh) parts.push_back(i);
-  }
-  return parts;
-}
-
 /// The corners of a node's box, in the world.
 std::array<glm::dvec3, 8> corners_in_world(const Scene& scene, int node, const glm::dmat4& to_world) {
   return corners_of(box_around(scene.meshes[std::size_t(*scene.nodes[std::size_t(node)].mesh)]), to_world);
-}
-
-/// Adds a node with the same mesh and material at a place in the world. The translation stays in double precision.
-void add_copy(Scene& scene, int node, const glm::dmat4& to_world, const glm::dvec4& kept) {
-  Node copy = scene.nodes[std::size_t(node)];
-  scene.nodes.push_back({.name = copy.name + " at the exit", .translation = glm::dvec3(to_world[3])});
-  copy.parent = int(scene.nodes.size()) - 1;
-  copy.travels = false;
-  copy.matrix = glm::mat4(glm::dmat4(glm::dmat3(to_world)));
-  copy.kept = kept;
-  scene.nodes.push_back(std::move(copy));
 }
 
 /// Splits a body's parts at an opening that it stands in, and that it enters from the side where its origin is.
@@ -47,7 +25,8 @@ void split(Scene& scene, int body, const std::vector<int>& parts, const std::vec
   const glm::dvec3 centre(world[std::size_t(body)][3]);
   const bool behind = opening.two_sided && !before(opening.frame, centre);
   for (const int part : parts) {
-    add_copy(scene, part, opening.passage * world[std::size_t(part)], opening_plane(opening.exit, behind));
+    add_part(scene, scene.nodes[std::size_t(part)], opening.passage * world[std::size_t(part)],
+             opening_plane(opening.exit, behind));
     scene.nodes[std::size_t(part)].kept = opening_plane(opening.frame, behind);
   }
 }

@@ -1,9 +1,11 @@
 #include "07-stencil-portals/given/bodies_truth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "07-stencil-portals/given/body_parts.hpp"
 #include "oracle/portal.hpp"
 
 namespace atelier {
@@ -18,24 +20,16 @@ glm::dvec4 plane_of(const glm::dmat4& frame, bool turned) {
 
 /// The points where the edges of a box cross the plane z = 0; none if all corners are on one side.
 std::vector<glm::dvec2> section(const Box3& box, const glm::dmat4& to_frame) {
-  const auto corner = [&](int i) {
-    const glm::dvec3 at(i & 1 ? box.high.x : box.low.x, i & 2 ? box.high.y : box.low.y, i & 4 ? box.high.z : box.low.z);
-    return glm::dvec3(to_frame * glm::dvec4(at, 1));
-  };
+  const std::array<glm::dvec3, 8> corners = corners_of(box, to_frame);
   std::vector<glm::dvec2> points;
   for (int from = 0; from < 8; ++from)
     for (const int axis : {1, 2, 4}) {
       if (from & axis) continue;
-      const glm::dvec3 a = corner(from), b = corner(from | axis);
+      const glm::dvec3 &a = corners[std::size_t(from)], &b = corners[std::size_t(from | axis)];
       if ((a.z < 0) != (b.z < 0)) points.push_back(glm::dvec2(a + (b - a) * (a.z / (a.z - b.z))));
     }
-  const auto middle = [&] {
-    glm::dvec2 sum(0);
-    for (const glm::dvec2& point : points) sum += point;
-    return sum / double(points.size());
-  };
-  if (points.empty()) return points;
-  const glm::dvec2 centre = middle();
+  glm::dvec2 centre(0);
+  for (const glm::dvec2& point : points) centre += point / double(points.size());
   std::ranges::sort(points, {}, [&](const glm::dvec2& p) { return std::atan2(p.y - centre.y, p.x - centre.x); });
   return points;
 }
@@ -59,23 +53,6 @@ bool meets(std::vector<glm::dvec2> polygon, const glm::dvec2& half_size) {
   return !polygon.empty();
 }
 
-/// Whether a node is at or below another.
-bool belongs_to(const Scene& scene, int node, int ancestor) {
-  for (; node >= 0; node = scene.nodes[std::size_t(node)].parent)
-    if (node == ancestor) return true;
-  return false;
-}
-
-/// A node at a place in the world, for its part where dot(kept, (p, 1)) >= 0.
-void add_part(Scene& scene, Node node, const glm::dmat4& to_world, const glm::dvec4& kept) {
-  scene.nodes.push_back({.name = node.name + " at the exit", .translation = glm::dvec3(to_world[3])});
-  node.parent = int(scene.nodes.size()) - 1;
-  node.travels = false;
-  node.matrix = glm::mat4(glm::dmat4(glm::dmat3(to_world)));
-  node.kept = kept;
-  scene.nodes.push_back(std::move(node));
-}
-
 }  // namespace
 
 void split_bodies_exactly(Scene& scene) {
@@ -84,18 +61,13 @@ void split_bodies_exactly(Scene& scene) {
   const int count = int(world.size());
   for (int body = 0; body < count; ++body) {
     if (!scene.nodes[std::size_t(body)].travels) continue;
-    std::vector<int> parts;
-    for (int i = 0; i < count; ++i)
-      if (scene.nodes[std::size_t(i)].mesh && belongs_to(scene, i, body)) parts.push_back(i);
+    const std::vector<int> parts = parts_of(scene, body);
     const auto standing = std::ranges::find_if(scene.portals, [&](const Portal& portal) {
       if (!portal.exit) return false;
       const Material& material = scene.materials[std::size_t(scene.nodes[std::size_t(portal.node)].material)];
       const glm::dvec4 origin = world[std::size_t(body)][3];
       if (!material.two_sided && glm::dot(plane_of(world[std::size_t(portal.node)], false), origin) < 0) return false;
-      glm::dvec2 half_size(0);
-      const Mesh& opening = scene.meshes[std::size_t(*scene.nodes[std::size_t(portal.node)].mesh)];
-      for (const Vertex& vertex : opening.vertices)
-        half_size = glm::max(half_size, glm::abs(glm::dvec2(vertex.position)));
+      const glm::dvec2 half_size = oracle::half_size_of(scene, portal);
       const glm::dmat4 to_frame = glm::inverse(world[std::size_t(portal.node)]);
       return std::ranges::any_of(parts, [&](int part) {
         const Mesh& mesh = scene.meshes[std::size_t(*scene.nodes[std::size_t(part)].mesh)];
@@ -104,9 +76,7 @@ void split_bodies_exactly(Scene& scene) {
     });
     if (standing == scene.portals.end()) continue;
     const glm::dmat4 &entry = world[std::size_t(standing->node)], &exit = world[std::size_t(*standing->exit)];
-    const bool two_sided = scene.materials[std::size_t(scene.nodes[std::size_t(standing->node)].material)].two_sided;
-    const glm::dvec4 centre = world[std::size_t(body)][3];
-    const bool turned = two_sided && glm::dot(plane_of(entry, false), centre) < 0;
+    const bool turned = glm::dot(plane_of(entry, false), world[std::size_t(body)][3]) < 0;  // only if it is two-sided
     const glm::dmat4 through = oracle::passage_of(*standing, world);
     for (const int part : parts) {
       add_part(scene, scene.nodes[std::size_t(part)], through * world[std::size_t(part)], plane_of(exit, turned));
