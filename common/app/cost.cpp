@@ -18,18 +18,18 @@ std::string shown_name(const GlGroup& group, std::size_t longest) {
 
 /// Bytes: with this limit 256 groups, the most that are listed, fit into the 64 KiB of a .stats file
 /// (case/exchange.hpp).
-constexpr std::size_t longest_in_json = 64;
+constexpr std::size_t longest_in_json = 48;
 
 std::string groups_as_text(const std::vector<GlGroup>& groups) {
   if (groups.empty()) return {};
   constexpr int name_columns = 53;
   constexpr std::size_t deepest = 16, longest = name_columns - deepest;
-  std::string text =
-      fmt::format("\n{:<{}} {:>7} {:>7} {:>12}\n", "group", name_columns, "passes", "draws", "triangles");
+  std::string text = fmt::format("\n{:<{}} {:>7} {:>7} {:>12} {:>12}\n", "group", name_columns, "passes", "draws",
+                                 "triangles", "fragments");
   for (const GlGroup& group : groups) {
     const std::string indent(std::min(2 * std::size_t(group.depth), deepest), ' ');
-    text += fmt::format("{:<{}} {:>7} {:>7} {:>12}\n", indent + shown_name(group, longest), name_columns, group.passes,
-                        group.draws, group.triangles);
+    text += fmt::format("{:<{}} {:>7} {:>7} {:>12} {:>12}\n", indent + shown_name(group, longest), name_columns,
+                        group.passes, group.draws, group.triangles, group.fragments);
   }
   return text;
 }
@@ -49,7 +49,7 @@ FrameTimings timings_of(std::vector<double> seconds) {
 std::vector<CostRow> cost_rows(const DrawingCost& cost) {
   const GlCounts& gl = cost.gl;
   const SceneCounts& scene = cost.scene;
-  return {
+  std::vector<CostRow> rows = {
       {"passes", gl.passes, "targets drawn into, cleared or resolved into"},
       {"clears", gl.clears, "of a target"},
       {"draws", gl.draws, "glDraw* calls"},
@@ -73,6 +73,10 @@ std::vector<CostRow> cost_rows(const DrawingCost& cost) {
       {"lookups", scene.lookups, "texels of shadow and height maps read by the shaders for each point"},
       {"lights_culled", scene.lights_culled, "lights of the scene, skipped because they are too weak to be visible"},
   };
+  if (gl.fragments)
+    rows.push_back(
+        {"fragments", *gl.fragments, "fragments that passed all tests, or samples of a multisampled target"});
+  return rows;
 }
 
 std::string cost_as_text(const DrawingCost& cost) {
@@ -94,7 +98,8 @@ std::string cost_as_json(const DrawingCost& cost) {
                               {"name", shown_name(group, longest_in_json)},
                               {"passes", group.passes},
                               {"draws", group.draws},
-                              {"triangles", group.triangles}});
+                              {"triangles", group.triangles},
+                              {"fragments", group.fragments}});
   if (const auto& frames = cost.frames)
     json["frames"] = {{"count", frames->count},
                       {"median_s", frames->median_s},

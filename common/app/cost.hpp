@@ -34,15 +34,15 @@ struct CostRow {
   const char* meaning;  ///< with the unit: "bytes of the attachments drawn into"
 };
 
-/// Every count, in the order of the output.
+/// Every count, in the order of the output; fragments only if they were counted (Painter::count_fragments).
 std::vector<CostRow> cost_rows(const DrawingCost& cost);
 
-/// Text tables: name, value and meaning of each count; name, passes, draws and triangles of each group, indented by its
-/// depth.
+/// Text tables: name, value and meaning of each count; name, passes, draws, triangles and fragments of each group,
+/// indented by its depth.
 std::string cost_as_text(const DrawingCost& cost);
 
-/// {"counts": {NAME: whole number, ...}, "groups": [{"depth", "name", "passes", "draws", "triangles"}, ...],
-/// "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only if frames were timed.
+/// {"counts": {NAME: whole number, ...}, "groups": [{"depth", "name", "passes", "draws", "triangles", "fragments"},
+/// ...], "frames": {"count", "median_s", "least_s", "most_s"}}; "frames" only if frames were timed.
 std::string cost_as_json(const DrawingCost& cost);
 
 }  // namespace atelier

@@ -79,6 +79,18 @@ double Painter::draw(const Frame& frame, const Settings& settings) {
 
 namespace {
 
+/// Counts fragments until the end of the scope.
+class FragmentCount {
+ public:
+  explicit FragmentCount(Gl& gl) : gl_(gl) { gl_.count_fragments(true); }
+  ~FragmentCount() { gl_.count_fragments(false); }
+  FragmentCount(const FragmentCount&) = delete;
+  FragmentCount& operator=(const FragmentCount&) = delete;
+
+ private:
+  Gl& gl_;
+};
+
 /// Throws an error that names the setting, before Target would throw its own.
 void check_supersampling(const Gl& gl, glm::ivec2 size, int factor, int samples) {
   const int longest = longest_side(gl, samples);
@@ -103,9 +115,16 @@ Image Painter::paint(const Case& picture, double time) {
   const Target& target = target_for(spec);
   const Frame frame{target, apply(picture.camera, program_.camera()), picture.output, time};
   constexpr int warming_up = 2;
-  for (int i = 0; i < (timed_frames_ > 0 ? warming_up : 1); ++i) draw(frame, settings);
   std::vector<double> seconds;
-  for (int i = 0; i < timed_frames_; ++i) seconds.push_back(draw(frame, settings));
+  if (timed_frames_ > 0) {
+    for (int i = 0; i < warming_up; ++i) draw(frame, settings);
+    for (int i = 0; i < timed_frames_; ++i) seconds.push_back(draw(frame, settings));
+  }
+  if (timed_frames_ == 0 || counts_fragments_) {
+    std::optional<FragmentCount> counted;
+    if (counts_fragments_) counted.emplace(gl());
+    draw(frame, settings);
+  }
   if (!seconds.empty()) cost_.frames = timings_of(seconds);
   Image drawn = target.read_colour(gl());
   return factor > 1 ? averaged(drawn, factor, encoding) : drawn;

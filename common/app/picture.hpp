@@ -35,6 +35,10 @@ class Painter {
   /// 0: once, untimed.
   void time_frames(int frames) { timed_frames_ = frames; }
 
+  /// From now on the cost of each picture has its fragments, or no longer. A picture whose frames are timed is drawn
+  /// once more for it.
+  void count_fragments(bool wanted) { counts_fragments_ = wanted; }
+
   /// The cost of the last picture, without loading its scene and without the CPU's averaging for supersampling.
   const DrawingCost& cost() const { return cost_; }
 
@@ -53,6 +57,7 @@ class Painter {
   ShaderProbe shader_probe_;
   std::optional<Target> target_;
   int timed_frames_ = 0;
+  bool counts_fragments_ = false;
   DrawingCost cost_;
 };
 

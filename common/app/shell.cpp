@@ -65,6 +65,7 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   const auto program = load_step(identity, implementations);  // after the context, so that it is destroyed first
   Painter painter(*program, *context, implementations);
   painter.time_frames(line.repeat);
+  painter.count_fragments(line.stats);
   if (!line.cases.empty()) {
     answer_cases(painter, line.cases, line.out, line.progress, line.stats);
     return exit_ok;

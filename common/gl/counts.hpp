@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace atelier {
@@ -17,6 +18,9 @@ struct GlCounts {
   std::int64_t draws = 0;      ///< glDraw* calls
   std::int64_t triangles = 0;  ///< drawn by them
   std::int64_t vertices = 0;   ///< vertices drawn by them; a vertex that three triangles share counts three times
+  /// Samples that passed all tests: one for each fragment, or up to one for each sample of a multisampled target. Only
+  /// if Gl::count_fragments() asked for it.
+  std::optional<std::int64_t> fragments;
 
   std::int64_t variants = 0;          ///< different shader programs drawn with
   std::int64_t program_switches = 0;  ///< glUseProgram calls that changed the program
@@ -35,6 +39,7 @@ struct GlGroup {
   std::string name;
   std::int64_t passes = 0;  ///< begun in it: 0 if it only continues an earlier pass
   std::int64_t draws = 0, triangles = 0;
+  std::int64_t fragments = 0;  ///< 0 unless they are counted
   bool operator==(const GlGroup&) const = default;
 };
 

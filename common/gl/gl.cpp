@@ -73,16 +73,20 @@ Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
 
 Gl::~Gl() = default;
 
-GlCounts Gl::counts() const {
+GlCounts Gl::counts() {
   return meter_->counts();
 }
 
-std::vector<GlGroup> Gl::groups() const {
+std::vector<GlGroup> Gl::groups() {
   return meter_->groups();
 }
 
 void Gl::restart_counts() {
   meter_->restart();
+}
+
+void Gl::count_fragments(bool wanted) {
+  meter_->count_fragments(wanted);
 }
 
 int Gl::begin_group(std::string_view name) {

@@ -22,6 +22,7 @@ class GlMeter;
 #define ATELIER_GL_FUNCTIONS(X)                                                        \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                             \
   X(PFNGLATTACHSHADERPROC, AttachShader)                                               \
+  X(PFNGLBEGINQUERYPROC, BeginQuery)                                                   \
   X(PFNGLBINDATTRIBLOCATIONPROC, BindAttribLocation)                                   \
   X(PFNGLBINDBUFFERPROC, BindBuffer)                                                   \
   X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                           \
@@ -48,6 +49,7 @@ class GlMeter;
   X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                             \
   X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                   \
   X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                             \
+  X(PFNGLDELETEQUERIESPROC, DeleteQueries)                                             \
   X(PFNGLDELETERENDERBUFFERSPROC, DeleteRenderbuffers)                                 \
   X(PFNGLDELETESHADERPROC, DeleteShader)                                               \
   X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                           \
@@ -64,6 +66,7 @@ class GlMeter;
   X(PFNGLDRAWELEMENTSPROC, DrawElements)                                               \
   X(PFNGLENABLEPROC, Enable)                                                           \
   X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                         \
+  X(PFNGLENDQUERYPROC, EndQuery)                                                       \
   X(PFNGLFINISHPROC, Finish)                                                           \
   X(PFNGLFLUSHPROC, Flush)                                                             \
   X(PFNGLFRAMEBUFFERRENDERBUFFERPROC, FramebufferRenderbuffer)                         \
@@ -73,6 +76,7 @@ class GlMeter;
   X(PFNGLFRONTFACEPROC, FrontFace)                                                     \
   X(PFNGLGENBUFFERSPROC, GenBuffers)                                                   \
   X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                         \
+  X(PFNGLGENQUERIESPROC, GenQueries)                                                   \
   X(PFNGLGENRENDERBUFFERSPROC, GenRenderbuffers)                                       \
   X(PFNGLGENTEXTURESPROC, GenTextures)                                                 \
   X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                         \
@@ -87,6 +91,7 @@ class GlMeter;
   X(PFNGLGETBUFFERPARAMETERIVPROC, GetBufferParameteriv)                               \
   X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                     \
   X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                               \
+  X(PFNGLGETQUERYOBJECTUI64VPROC, GetQueryObjectui64v)                                 \
   X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                       \
   X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                 \
   X(PFNGLGETSTRINGPROC, GetString)                                                     \
@@ -163,11 +168,14 @@ class Gl {
   Gl& operator=(const Gl&) = delete;
 
   /// Counts since restart_counts() or, if it was never called, since construction.
-  GlCounts counts() const;
+  GlCounts counts();
   /// The groups since then in the order in which they began, at most the first 256; an open group has its counts so
   /// far.
-  std::vector<GlGroup> groups() const;
+  std::vector<GlGroup> groups();
   void restart_counts();
+  /// From now on fragments are counted too, or no longer. Each group then waits for its own drawing, so a frame that is
+  /// timed should not count them.
+  void count_fragments(bool wanted);
 
   /// Work between the two calls also counts for the group `name` and for those around it. begin_group returns how many
   /// groups are open now. Called by DebugGroup (gl/debug.hpp), which pairs the calls.

@@ -61,6 +61,7 @@ void add(GlGroup& group, const GlCounts& sums, int sign) {
   group.passes += sign * sums.passes;
   group.draws += sign * sums.draws;
   group.triangles += sign * sums.triangles;
+  group.fragments += sign * sums.fragments.value_or(0);
 }
 
 }  // namespace
@@ -68,7 +69,9 @@ void add(GlGroup& group, const GlCounts& sums, int sign) {
 // ---- The counts
 
 void GlMeter::restart() {
+  end_query();
   counts_ = {};
+  if (query_) counts_.fragments = 0;
   in_pass_ = false;
   last_program_ = 0;
   programs_drawn_with_.clear();
@@ -86,7 +89,8 @@ void GlMeter::restart() {
   groups_ = std::move(still_open);
 }
 
-GlCounts GlMeter::counts() const {
+GlCounts GlMeter::counts() {
+  add_fragments();
   GlCounts counts = counts_;
   counts.variants = std::int64_t(programs_drawn_with_.size());
   counts.attributes = std::int64_t(attributes_read_.size());
@@ -101,9 +105,39 @@ GlCounts GlMeter::counts() const {
   return counts;
 }
 
+// ---- Fragments
+
+void GlMeter::count_fragments(bool wanted) {
+  if (wanted == (query_ != 0)) return;
+  if (wanted) {
+    gl_.GenQueries(1, &query_);
+    counts_.fragments = 0;
+  } else {
+    end_query();
+    gl_.DeleteQueries(1, &query_);
+    query_ = 0;
+    counts_.fragments.reset();
+  }
+}
+
+/// Returns the samples passed since the query began; 0 if there is none. Waits for the draws to be done.
+std::int64_t GlMeter::end_query() {
+  if (!in_query_) return 0;
+  gl_.EndQuery(GL_SAMPLES_PASSED);
+  in_query_ = false;
+  GLuint64 passed = 0;
+  gl_.GetQueryObjectui64v(query_, GL_QUERY_RESULT, &passed);
+  return std::int64_t(passed);
+}
+
+void GlMeter::add_fragments() {
+  if (query_) *counts_.fragments += end_query();
+}
+
 // ---- Groups
 
 int GlMeter::begin_group(std::string_view name) {
+  add_fragments();
   auto& listed = open_groups_.emplace_back();
   if (groups_.size() < most_groups) {
     listed = groups_.size();
@@ -115,11 +149,13 @@ int GlMeter::begin_group(std::string_view name) {
 
 void GlMeter::end_group() {
   if (open_groups_.empty()) return;
+  add_fragments();
   if (const auto listed = open_groups_.back()) add(groups_[*listed], counts_, 1);
   open_groups_.pop_back();
 }
 
-std::vector<GlGroup> GlMeter::groups() const {
+std::vector<GlGroup> GlMeter::groups() {
+  add_fragments();
   std::vector<GlGroup> groups = groups_;
   for (const auto& listed : open_groups_)
     if (listed) add(groups[*listed], counts_, 1);
@@ -141,6 +177,10 @@ void GlMeter::draw(GLenum mode, GLsizei corners) {
   ++counts_.draws;
   counts_.triangles += triangles_of(mode, corners);
   counts_.vertices += std::max(corners, 0);
+  if (query_ && !in_query_) {
+    gl_.BeginQuery(GL_SAMPLES_PASSED, query_);
+    in_query_ = true;
+  }
   const auto found = programs_.find(program_);
   if (found == programs_.end()) return;
   programs_drawn_with_.insert(program_);

@@ -21,12 +21,13 @@ class GlMeter {
   explicit GlMeter(const Gl& gl) : gl_(gl) {}
 
   void restart();
-  GlCounts counts() const;
+  GlCounts counts();
+  void count_fragments(bool wanted);
 
   // Groups
   int begin_group(std::string_view name);  ///< returns how many are open now
   void end_group();                        ///< the one that began last; does nothing if none is open
-  std::vector<GlGroup> groups() const;
+  std::vector<GlGroup> groups();
 
   // Draws and passes
   void draw(GLenum mode, GLsizei corners);
@@ -76,6 +77,8 @@ class GlMeter {
 
   Program read_program(GLuint program) const;
   void begin_pass();
+  std::int64_t end_query();
+  void add_fragments();
   GLuint framebuffer_at(GLenum target) const {
     return target == GL_READ_FRAMEBUFFER ? read_framebuffer_ : framebuffer_;
   }
@@ -92,6 +95,9 @@ class GlMeter {
   std::map<GLuint, std::map<GLenum, Attachment>> framebuffers_;  ///< by attachment point
   std::map<std::pair<GLuint, GLenum>, GLuint> bound_textures_;   ///< by unit and target
   GLuint unit_ = 0, program_ = 0, framebuffer_ = 0, read_framebuffer_ = 0, renderbuffer_ = 0;
+
+  GLuint query_ = 0;       ///< of samples passed; 0 unless fragments are counted
+  bool in_query_ = false;  ///< from a draw to the next beginning or end of a group
 
   // Since the last restart
   GlCounts counts_;  ///< those that are plain sums

@@ -32,6 +32,7 @@ void Renderer::paint_opening(const Viewpoint& around, int opening, const glm::ve
                        "#endif\n"
                        "}\n",
                    .fragment = "uniform vec3 u_colour; out vec4 o; void main() { o = vec4(u_colour, 1.0); }\n"};
+  const DebugGroup group(gl_, "opening");
   const std::optional<glm::dvec4>& plane = around.view.openings_clip_plane;
   if (plane) {
     pass.structure["CLIPPED"] = "1";

@@ -68,6 +68,25 @@ TEST_CASE("timed frames come after two frames of warm-up, and look the same", "[
   CHECK(cost.scene.matrices == 0);  // nothing has moved since the first
 }
 
+TEST_CASE("fragments are counted on request, in a frame that is not timed", "[cost]") {
+  Studio studio;
+  studio.painter->paint(small_picture());
+  CHECK_FALSE(studio.painter->cost().gl.fragments);
+  studio.painter->count_fragments(true);
+  studio.painter->paint(small_picture());
+  const auto fragments = studio.painter->cost().gl.fragments;
+  REQUIRE(fragments);
+  CHECK(*fragments > 0);
+  CHECK(*fragments < 32 * 24);
+  CHECK(studio.painter->cost().groups.at(0).fragments == *fragments);
+  const int before = studio.step.draws;
+  studio.painter->time_frames(5);
+  studio.painter->paint(small_picture());
+  CHECK(studio.step.draws == before + 2 + 5 + 1);
+  CHECK(studio.painter->cost().gl.fragments == fragments);
+  CHECK(studio.painter->cost().frames->count == 5);
+}
+
 TEST_CASE("every count is in the table and, with the same name, in the JSON", "[cost]") {
   DrawingCost cost;
   cost.gl.triangles = 1234567;
@@ -98,26 +117,30 @@ TEST_CASE("groups are an indented list, with the same names in the JSON", "[cost
   const nlohmann::json none = nlohmann::json::parse(cost_as_json(cost));
   CHECK(none["groups"] == nlohmann::json::array());
 
-  cost.groups = {{.depth = 0, .name = "frame", .passes = 3, .draws = 40, .triangles = 5000},
+  cost.groups = {{.depth = 0, .name = "frame", .passes = 3, .draws = 40, .triangles = 5000, .fragments = 250000},
                  {.depth = 1, .name = "shadow maps", .passes = 2, .draws = 30, .triangles = 4000},
                  {.depth = 2, .name = "map of light 0 (sun)", .passes = 1, .draws = 12, .triangles = 1500},
                  {.depth = 1, .name = "lamp\n\x1b[31m\xff", .passes = 0, .draws = 0, .triangles = 0},
                  {.depth = 99, .name = std::string(1000, 'x'), .passes = 0, .draws = 0, .triangles = 999999999999}};
   const std::string text = cost_as_text(cost);
   const std::string list = text.substr(text.find("\ngroup ") + 1);
-  CHECK(list ==
-        "group                                                  passes   draws    triangles\n"
-        "frame                                                       3      40         5000\n"
-        "  shadow maps                                               2      30         4000\n"
-        "    map of light 0 (sun)                                    1      12         1500\n"
-        "  lamp\uFFFD\uFFFD[31m\uFFFD                                               0       0            0\n"
-        "                xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...       0       0 999999999999\n");
+  CHECK(
+      list ==
+      "group                                                  passes   draws    triangles    fragments\n"
+      "frame                                                       3      40         5000       250000\n"
+      "  shadow maps                                               2      30         4000            0\n"
+      "    map of light 0 (sun)                                    1      12         1500            0\n"
+      "  lamp\uFFFD\uFFFD[31m\uFFFD                                               0       0            0            0\n"
+      "                xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx...       0       0 999999999999            0\n");
 
   const nlohmann::json json = nlohmann::json::parse(cost_as_json(cost));
   REQUIRE(json["groups"].size() == 5);
-  CHECK(json["groups"][2] ==
-        nlohmann::json{
-            {"depth", 2}, {"name", "map of light 0 (sun)"}, {"passes", 1}, {"draws", 12}, {"triangles", 1500}});
+  CHECK(json["groups"][2] == nlohmann::json{{"depth", 2},
+                                            {"name", "map of light 0 (sun)"},
+                                            {"passes", 1},
+                                            {"draws", 12},
+                                            {"triangles", 1500},
+                                            {"fragments", 0}});
   CHECK(json["groups"][3]["name"] == "lamp\uFFFD\uFFFD[31m\uFFFD");
 }
 

@@ -142,6 +142,56 @@ TEST_CASE("groups count their own work and that of nested groups", "[debug]") {
   });
 }
 
+TEST_CASE("fragments are counted on request, for the groups that draw them", "[debug]") {
+  on_every_context([](Gl& gl) {
+    const GlProgram program = build_program(
+        gl,
+        shader_text("void main() { gl_Position = vec4(2 * (gl_VertexID % 2) - 1, 4 * (gl_VertexID / 2) - 1, 0, 1);\n"
+                    "              if (gl_VertexID == 1) gl_Position.x = 3; }"),
+        shader_text("out vec4 o; void main() { if (gl_FragCoord.x < 1) discard; o = vec4(1); }"));
+    const GlVertexArray corners(gl);
+    const Target target(gl, {.width = 4, .height = 4});
+    gl.UseProgram(program.id());
+    gl.BindVertexArray(corners.id());
+    target.bind(gl);
+    const auto draw = [&] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+    gl.restart_counts();
+    draw();
+    CHECK_FALSE(gl.counts().fragments);
+    gl.count_fragments(true);
+    draw();  // before the restart
+    gl.restart_counts();
+    {
+      const DebugGroup frame(gl, "frame");
+      draw();
+      {
+        const DebugGroup scissored(gl, "scissored");
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(0, 0, 4, 1);
+        draw();
+        draw();
+        gl.Disable(GL_SCISSOR_TEST);
+      }
+      { const DebugGroup nothing(gl, "nothing"); }
+      draw();
+    }
+    draw();  // in no group
+    CHECK(gl.counts().fragments == 3 * 12 + 2 * 3);
+    const std::vector<GlGroup> groups = gl.groups();
+    REQUIRE(groups.size() == 3);
+    CHECK(groups[0].fragments == 2 * 12 + 2 * 3);
+    CHECK(groups[1].fragments == 2 * 3);
+    CHECK(groups[2].fragments == 0);
+    gl.count_fragments(false);
+    draw();
+    CHECK_FALSE(gl.counts().fragments);
+    CHECK_NOTHROW(check_gl_error(gl, "counting fragments"));
+    gl.BindVertexArray(0);
+    gl.UseProgram(0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+  });
+}
+
 TEST_CASE("a restart removes ended groups, and resets the counts of open ones", "[debug]") {
   on_every_context([](Gl& gl) {
     Easel easel(gl);
