@@ -137,6 +137,7 @@ int run_mutate(const MutateOptions& options);
 struct AuditOptions {
   std::vector<std::string> steps;
   std::filesystem::path out;  ///< also write the JSON to this file; empty: do not
+  int sample = 1;             ///< one in this many mistakes and variants is judged; at least 1
   bool json = false;
 };
 int run_audit(const AuditOptions& options);

@@ -276,6 +276,10 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
       interface.add("audit", "Prove that every mistake is caught and every variant passes", options.audit, run_audit);
   add_steps(audit, options.audit.steps);
   audit->add_option("--out", options.audit.out, "Also write the JSON to this file");
+  audit
+      ->add_option("--sample", options.audit.sample,
+                   "Judge one in this many mistakes and variants; the patches of all must apply")
+      ->check(CLI::Range(1, 1000));
   add_json(audit, options.audit.json);
 
   CLI::App* bench =

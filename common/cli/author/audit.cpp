@@ -3,13 +3,14 @@
 // Every known mistake is built and judged like a submission, by the cases that claim to catch it. It must lose points
 // on every one of them. The name that the verdict gives it is taken from its first other spelling if there is one,
 // because the atlas was made from its patch; no spelling may get another mistake's name. Every variant (another right
-// solution) must keep all points.
+// solution) must keep all points. With a sample of 1 in N, the others are not judged, but their patches must apply.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -163,14 +164,45 @@ VariantAudit audit_variant(const Workshop& workshop, const grade::StepJudge& jud
   return audit;
 }
 
-void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& audit) {
+/// One sentence for each patch that does not apply to the solution.
+Problems problems_of_patches(const ProjectFolders& folders, const CourseStep& step,
+                             const std::vector<fs::path>& patches) {
+  Problems problems;
+  const TemporaryFolder scratch("atelier-audit");
+  for (std::size_t i = 0; i < patches.size(); ++i) try {
+      judge::make_patched(folders.solutions() / step.name, patches[i], scratch.path() / std::to_string(i));
+    } catch (const Error& error) {
+      problems.push_back(error.what());
+    }
+  return problems;
+}
+
+/// Takes one in `sample` out of `all`, the first among them; appends the patches of the others.
+template <class Patched>
+std::vector<Patched> sampled(const std::vector<Patched>& all, int sample, std::vector<fs::path>& others) {
+  std::vector<Patched> taken;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (i % std::size_t(sample) == 0) {
+      taken.push_back(all[i]);
+      continue;
+    }
+    others.push_back(all[i].patch);
+    if constexpr (std::is_same_v<Patched, judge::Mistake>)
+      others.insert(others.end(), all[i].spellings.begin(), all[i].spellings.end());
+  }
+  return taken;
+}
+
+void audit_step(const ProjectFolders& folders, const CourseStep& step, int sample, Audit& audit) {
   const grade::Criteria criteria = criteria_of(folders, step);
   const grade::StepJudge judge(criteria);
   judge.require_references();
-  const auto mistakes = judge::read_mistakes(folders.mistakes_file(step.name));
-  const auto variants = fs::exists(folders.variants_file(step.name))
-                            ? judge::read_variants(folders.variants_file(step.name))
-                            : std::vector<judge::Variant>{};
+  std::vector<fs::path> others;
+  const auto mistakes = sampled(judge::read_mistakes(folders.mistakes_file(step.name)), sample, others);
+  const auto variants =
+      sampled(fs::exists(folders.variants_file(step.name)) ? judge::read_variants(folders.variants_file(step.name))
+                                                           : std::vector<judge::Variant>{},
+              sample, others);
 
   const Workshop workshop(folders, step);
   std::vector<MistakeAudit> audited_mistakes(mistakes.size());
@@ -182,7 +214,8 @@ void audit_step(const ProjectFolders& folders, const CourseStep& step, Audit& au
       audited_variants[i - mistakes.size()] = audit_variant(workshop, judge, variants[i - mistakes.size()]);
   });
   audit.mistakes.insert(audit.mistakes.end(), audited_mistakes.begin(), audited_mistakes.end());
-  for (const std::string& problem : problems_of_mistakes(folders, step)) audit.problems.push_back(problem);
+  for (const Problems& problems : {problems_of_mistakes(folders, step), problems_of_patches(folders, step, others)})
+    audit.problems.insert(audit.problems.end(), problems.begin(), problems.end());
   audit.variants.insert(audit.variants.end(), audited_variants.begin(), audited_variants.end());
 }
 
@@ -242,7 +275,7 @@ int run_audit(const AuditOptions& options) {
   const ProjectFolders folders = project_folders();
   Audit audit;
   for (const CourseStep& step : resolve_steps(read_course(folders.step_flags()), options.steps))
-    audit_step(folders, step, audit);
+    audit_step(folders, step, options.sample, audit);
 
   const std::string json = to_json(audit);
   if (!options.out.empty()) write_file(options.out, json);
