@@ -144,6 +144,51 @@ void check_opening(const Context& context, const Mesh& mesh) {
                                axis == 0 ? 'x' : 'y', low[axis], high[axis]));
 }
 
+/// Half the sides of the rectangle around a portal's opening.
+glm::dvec2 half_size_of(const Mesh& mesh) {
+  glm::dvec2 half_size(0);
+  for (const Vertex& vertex : mesh.vertices) half_size = glm::max(half_size, glm::abs(glm::dvec2(vertex.position)));
+  return half_size;
+}
+
+/// Whether a rectangle about the origin of `frame` lies in the plane z = 0 of another, up to rounding, and covers a
+/// part of the rectangle about its origin. `to_other` is from the first frame to that of the other.
+bool overlaps_in_plane(const glm::dmat4& to_other, const glm::dvec2& half_size, const glm::dvec2& other_half_size) {
+  constexpr double rounding = 1e-5;
+  const double largest = std::max({half_size.x, half_size.y, other_half_size.x, other_half_size.y});
+  glm::dvec2 low(std::numeric_limits<double>::infinity()), high(-low);
+  for (const glm::dvec2& side : {glm::dvec2(-1, -1), glm::dvec2(1, -1), glm::dvec2(1, 1), glm::dvec2(-1, 1)}) {
+    const glm::dvec4 corner = to_other * glm::dvec4(side * half_size, 0, 1);
+    if (std::abs(corner.z) > rounding * largest) return false;
+    low = glm::min(low, glm::dvec2(corner));
+    high = glm::max(high, glm::dvec2(corner));
+  }
+  const glm::dvec2 shared = glm::min(high, other_half_size) - glm::max(low, -other_half_size);
+  return shared.x > rounding * largest && shared.y > rounding * largest;
+}
+
+/// No opening that can be seen from behind a portal's exit may cover a part of it in its plane: only rounding would
+/// decide whether it is seen by who comes out there.
+void check_exit_is_free(Context& context, const Scene& scene, const std::vector<glm::dmat4>& world,
+                        const Portal& portal) {
+  const auto half_size = [&](const Portal& p) {
+    return half_size_of(scene.meshes[std::size_t(*scene.nodes[std::size_t(p.node)].mesh)]);
+  };
+  const int exit = portal.exit.value_or(portal.node);
+  const glm::dmat4 to_exit = glm::inverse(world[std::size_t(exit)]);
+  for (const Portal& other : scene.portals) {
+    const glm::dmat4 to_exit_from_other = to_exit * world[std::size_t(other.node)];
+    const bool faces_back = to_exit_from_other[2].z < 0;
+    const bool two_sided = scene.materials[std::size_t(scene.nodes[std::size_t(other.node)].material)].two_sided;
+    if (other.node != exit && (faces_back || two_sided) &&
+        overlaps_in_plane(to_exit_from_other, half_size(other), half_size(portal)))
+      context.fail(fmt::format(
+          "the opening of node {} ('{}') lies in the plane of the exit, node {} ('{}'), and covers a part of it "
+          "(allowed: a distance between them, as between the two sides of a door)",
+          other.node, scene.nodes[std::size_t(other.node)].name, exit, scene.nodes[std::size_t(exit)].name));
+  }
+}
+
 void check_portals(Context& context, const Scene& scene) {
   if (scene.portals.empty()) return;
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);
@@ -167,6 +212,13 @@ void check_portals(Context& context, const Scene& scene) {
     check_opening(context, scene.meshes[std::size_t(*node.mesh)]);
     context.require(finite_and_not_negative(portal.colour), "colour must be finite and not negative");
   }
+  for (std::size_t i = 0; i < scene.portals.size(); ++i) {
+    context.thing = fmt::format("portal {}", i);
+    check_exit_is_free(context, scene, world, scene.portals[i]);
+  }
+  context.thing = "camera";
+  context.require(scene.camera.projection == Projection::perspective,
+                  "an orthographic camera sees nothing through portals (allowed: a perspective one)");
 }
 
 void check_camera(const Context& context, const Camera& camera) {

@@ -1,5 +1,6 @@
 // Which portals a scene may have.
 #include <functional>
+#include <numbers>
 
 #include "catch.hpp"
 #include "scene/builder.hpp"
@@ -38,6 +39,16 @@ std::string words_for(const std::function<void(Scene&)>& change) {
   return error_of([&] { validate(scene); });
 }
 
+/// Another mirror at an offset from the node `here`, facing the other way.
+void add_back_to_back(Scene& scene, const glm::vec3& offset) {
+  const int back = add_node(scene, {.name = "back",
+                                    .translation = offset,
+                                    .rotation_axis = {0, 1, 0},
+                                    .rotation_angle = std::numbers::pi_v<float>,
+                                    .mesh = 0});
+  scene.portals.push_back({.node = back});
+}
+
 void move_corners(Scene& scene, const glm::vec3& by) {
   for (Vertex& vertex : scene.meshes[0].vertices) vertex.position += by;
 }
@@ -54,6 +65,14 @@ TEST_CASE("validate accepts portals and mirrors", "[scene]") {
       {"an exit without a portal", [](Scene& s) { s.portals[0].exit = add_node(s, {.name = "exit"}); }},
       {"an exit that is the entry", [](Scene& s) { s.portals[0].exit = 0; }},
       {"two portals with one exit", [](Scene& s) { s.portals[1].exit = s.portals[0].exit; }},
+      {"an opening beside an exit, in its plane",
+       [](Scene& s) {
+         add_back_to_back(s, {2.5f, 0, 0});
+       }},
+      {"the two sides of a door",
+       [](Scene& s) {
+         add_back_to_back(s, {0, 0, -0.01f});
+       }},
       {"corners off by rounding",
        [](Scene& s) {
          move_corners(s, {1e-7f, -1e-7f, 0});
@@ -113,6 +132,20 @@ TEST_CASE("validate refuses portals that cannot be entered", "[scene]") {
        },
        {"from y = 0 to 4", "y = 0)"}},
       {"colour", [](Scene& s) { s.portals[0].colour.g = -1; }, {"portal 0", "colour"}},
+      {"back to back",
+       [](Scene& s) {
+         add_back_to_back(s, {0.5f, 0.2f, 0});
+       },
+       {"portal 1: the opening of node 3 ('back')", "exit, node 0 ('here')", "a distance"}},
+      {"both sides of one plane",
+       [](Scene& s) {
+         s.materials[0].two_sided = true;
+         s.portals[1].exit = add_node(s, {.name = "exit"});
+       },
+       {"portal 1: the opening of node 0 ('here')", "exit, node 3 ('exit')"}},
+      {"an orthographic camera",
+       [](Scene& s) { s.camera.projection = Projection::orthographic; },
+       {"camera", "orthographic", "perspective"}},
   };
   for (const Row& row : table) {
     INFO(row.name);
