@@ -1,0 +1,211 @@
+// 08-post-processing: what each pass does to a pixel. The contract of each function is the comment above it. All colours
+// are linear light with the primaries of Rec. 709, at least 0; before tone mapping they may be above 1. Uniforms are in given/post_inputs.glsl.
+#include "08-post-processing/given/post_inputs.glsl"
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 1: the chain
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The corners 0, 1 and 2 of a triangle that covers the whole picture, in normalised device coordinates (x and y of clip
+// space with w = 1), counter-clockwise. Handout, section 1.
+vec2 full_screen_corner(int corner) {
+  // >>> student: a triangle twice as wide and twice as high as the picture
+  return vec2(corner == 1 ? 3.0 : -1.0, corner == 2 ? 3.0 : -1.0);
+  // --- skeleton
+  // | return vec2(0.0);
+  // <<< student
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 2: hue, chroma, luma
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The luma of a colour: how bright it is, 0.2126 r + 0.7152 g + 0.0722 b (the luminance of linear Rec. 709).
+float luma(vec3 colour) {
+  // >>> student: three weights
+  return dot(colour, vec3(0.2126, 0.7152, 0.0722));
+  // --- skeleton
+  // | return 0.0;
+  // <<< student
+}
+
+// Hue, chroma and luma of a colour. Chroma is the largest component minus the smallest. Hue is an angle in turns, from
+// 0 to 1: red is 0, yellow 1/6, green 1/3, cyan 1/2, blue 2/3, magenta 5/6, and between two of these it is proportional
+// to the component that changes (the hue of HSV). A grey has the hue 0. Handout, section 3.
+// (0.5, 0.25, 0) has the hue 1/12, the chroma 0.5, and the luma 0.2851.
+vec3 hue_chroma_luma(vec3 colour) {
+  // >>> student: which component is the largest, and where between its neighbours is the colour?
+  float most = max(colour.r, max(colour.g, colour.b)), least = min(colour.r, min(colour.g, colour.b));
+  float chroma = most - least, sixths = 0.0;
+  if (chroma > 0.0) {
+    if (most == colour.r)
+      sixths = (colour.g - colour.b) / chroma;
+    else if (most == colour.g)
+      sixths = 2.0 + (colour.b - colour.r) / chroma;
+    else
+      sixths = 4.0 + (colour.r - colour.g) / chroma;
+  }
+  return vec3(fract(sixths / 6.0), chroma, luma(colour));
+  // --- skeleton
+  // | return vec3(0.0, 0.0, luma(colour));
+  // <<< student
+}
+
+// The colour that has this hue (in turns; whole turns more or less change nothing) and this luma (at least 0), and the
+// greatest chroma up to the given one with which no component is below 0 or above 1; a luma of 1 or more gives a grey.
+// Handout, section 3.
+// Hue 1/12, luma 0.2851: with chroma 0.5 it is (0.5, 0.25, 0). With chroma 0.8 it is the same: more chroma would need
+// less than no blue.
+vec3 colour_of(float hue, float chroma, float luma_wanted) {
+  // >>> student: the hue with chroma 1, moved to luma 0; then as much of it as fits
+  float sixths = 6.0 * (hue - floor(hue));
+  vec3 pure = clamp(vec3(abs(sixths - 3.0) - 1.0, 2.0 - abs(sixths - 2.0), 2.0 - abs(sixths - 4.0)), 0.0, 1.0);
+  vec3 way = pure - luma(pure);
+  float fits = max(chroma, 0.0);
+  for (int i = 0; i < 3; ++i) {
+    if (way[i] < 0.0) fits = min(fits, luma_wanted / -way[i]);
+    if (way[i] > 0.0) fits = min(fits, max(1.0 - luma_wanted, 0.0) / way[i]);
+  }
+  return max(luma_wanted + fits * way, 0.0);
+  // --- skeleton
+  // | return vec3(luma_wanted);
+  // <<< student
+}
+
+// A colour with its hue turned by `turns`, its chroma times `saturation`, and its luma times `brightness`; each of the
+// two is at least 0. Handout, section 3.
+vec3 adjusted(vec3 colour, float turns, float saturation, float brightness) {
+  // >>> student: there and back
+  vec3 parts = hue_chroma_luma(colour);
+  return colour_of(parts.x + turns, parts.y * saturation, parts.z * brightness);
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 3: tone mapping
+// ---------------------------------------------------------------------------------------------------------------------
+
+// Reinhard's curve (Reinhard et al. 2002, equation 4) of the luma Y: Y (1 + Y / white^2) / (1 + Y), so that a luma of
+// `white` becomes 1. All components are scaled by the same factor; black stays black. Handout, section 4.
+vec3 reinhard(vec3 colour, float white) {
+  // >>> student: one factor for all components
+  float y = luma(colour);
+  return colour * ((1.0 + y / (white * white)) / (1.0 + y));
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// Hable's filmic curve ("Uncharted 2", 2010), on each component x by itself: h(2 x) / h(11.2), where h(x) = (x (A x + C B)
+// + D E) / (x (A x + B) + D F) - E / F with A = 0.15, B = 0.5, C = 0.1, D = 0.2, E = 0.02, F = 0.3. Handout, section 4.
+vec3 filmic(vec3 colour) {
+  // >>> student: the same curve twice
+  vec4 x = vec4(2.0 * colour, 11.2);
+  vec4 h = (x * (0.15 * x + 0.05) + 0.004) / (x * (0.15 * x + 0.5) + 0.06) - 0.02 / 0.3;
+  return h.rgb / h.a;
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// The light of the scene as a display shows it: multiplied by 2^stops, then by the curve: 0 none, 1 Reinhard's with this
+// `white`, 2 filmic. Handout, section 4.
+vec3 tone_mapped(vec3 colour, float stops, int curve, float white) {
+  // >>> student: expose, then bend
+  vec3 exposed = colour * exp2(stops);
+  return curve == 1 ? reinhard(exposed, white) : curve == 2 ? filmic(exposed) : exposed;
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 4: a picture over the picture
+// ---------------------------------------------------------------------------------------------------------------------
+
+// `above` laid over `below`, seen by `amount` (0..1). above.a is the opacity of its colour, 0..1; its colour is not
+// multiplied by it. Where amount * above.a is 0 the result is exactly `below`, where it is 1 exactly above.rgb. The
+// opacity of the result is that of `below`. Handout, section 5.
+vec4 overlaid(vec4 below, vec4 above, float amount) {
+  // >>> student: a share of each
+  float share = above.a * amount;
+  return vec4((1.0 - share) * below.rgb + share * above.rgb, below.a);
+  // --- skeleton
+  // | return below;
+  // <<< student
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Further: bloom, tables, the bands of 8 bits
+// ---------------------------------------------------------------------------------------------------------------------
+
+// (further) The part of a colour that blooms: the same hue, with the luma that exceeds `threshold`; black where none
+// does. Handout, section 6.
+vec3 bright_part(vec3 colour, float threshold) {
+  // >>> student: which share of the light is too much?
+  float y = luma(colour);
+  return y > threshold ? colour * ((y - threshold) / y) : vec3(0.0);
+  // --- skeleton
+  // | return vec3(0.0);
+  // <<< student
+}
+
+// (further) One direction of a Gaussian blur at texcoord: the sum over k of u_weights[abs(k)] times the picture at k
+// steps from there, -LAST_WEIGHT <= k <= LAST_WEIGHT. `pixel` is one step, in texture coordinates. Beyond its edges the
+// picture goes on with the colours of its edges: that is given, by its wrap mode. Handout, section 6.
+vec3 blurred(sampler2D picture, vec2 texcoord, vec2 pixel) {
+  // >>> student: both sides at once
+  vec3 sum = u_weights[0] * texture(picture, texcoord).rgb;
+  for (int k = 1; k <= LAST_WEIGHT; ++k)
+    sum += u_weights[k] *
+           (texture(picture, texcoord + float(k) * pixel).rgb + texture(picture, texcoord - float(k) * pixel).rgb);
+  return sum;
+  // --- skeleton
+  // | return texture(picture, texcoord).rgb;
+  // <<< student
+}
+
+// (further) Looks a colour up in a table, trilinearly. The table is a texture of u_table_size grid points a side, filtered
+// linearly by the hardware and clamped at its edges; `colour` is 0..1 within the table's range: 0 is at the centre of the
+// first texel, 1 at that of the last. Handout, section 7.
+vec3 table_trilinear(sampler3D table, vec3 colour) {
+  // >>> student: where are the centres of texels?
+  return texture(table, (colour * (u_table_size - 1.0) + 0.5) / u_table_size).rgb;
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// (further) The same, tetrahedrally (Kasson et al. 1995): in the cell of the grid around the colour, go from its corner
+// with the least components to that with the greatest along the edges, in the order of the fractions, the largest first;
+// the result is interpolated in this tetrahedron. On greys it interpolates along the cell's diagonal alone. Handout,
+// section 7.
+vec3 table_tetrahedral(sampler3D table, vec3 colour) {
+  // >>> student: three edges, one after another
+  vec3 place = clamp(colour, 0.0, 1.0) * (u_table_size - 1.0);
+  ivec3 corner = min(ivec3(place), ivec3(u_table_size) - 2);
+  vec3 part = place - vec3(corner);
+  vec3 low = texelFetch(table, corner, 0).rgb, high = texelFetch(table, corner + 1, 0).rgb;
+  float most = max(part.r, max(part.g, part.b)), least = min(part.r, min(part.g, part.b));
+  float middle = part.r + part.g + part.b - most - least;
+  ivec3 first = part.r == most ? ivec3(1, 0, 0) : part.g == most ? ivec3(0, 1, 0) : ivec3(0, 0, 1);
+  ivec3 last = part.b == least ? ivec3(0, 0, 1) : part.g == least ? ivec3(0, 1, 0) : ivec3(1, 0, 0);
+  vec3 one = texelFetch(table, corner + first, 0).rgb, two = texelFetch(table, corner + 1 - last, 0).rgb;
+  return (1.0 - most) * low + (most - middle) * one + (middle - least) * two + least * high;
+  // --- skeleton
+  // | return colour;
+  // <<< student
+}
+
+// (further) What is stored in 8 bits in place of a value, so that its mean over many pixels stays: `stored` is 0..1, and
+// is rounded to the nearest multiple of 1/255 afterwards. `noise` is different in each pixel, even over 0..1;
+// more noise gives more. Handout, section 8.
+vec3 dithered(vec3 stored, float noise) {
+  // >>> student: half a step up or down
+  return stored + (noise - 0.5) / 255.0;
+  // --- skeleton
+  // | return stored;
+  // <<< student
+}

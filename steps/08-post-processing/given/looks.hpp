@@ -1,0 +1,21 @@
+// Tables of colours that the program offers. Given.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace atelier {
+
+/// "identity", "warm", "night".
+std::vector<std::string> look_names();
+
+constexpr int look_size = 9;  ///< grid points along each axis
+
+/// The colour that a look makes of a colour; both sRGB-encoded, 0..1.
+glm::dvec3 look_of(const std::string& name, const glm::dvec3& encoded);
+
+/// A look as the text of a .cube file.
+std::string look_text(const std::string& name);
+
+}  // namespace atelier

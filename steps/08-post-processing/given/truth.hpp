@@ -1,0 +1,12 @@
+// The ground truth of step 08's pictures, in double precision. Nothing here calls a student's function. Given.
+#pragma once
+
+#include "app/scene_truth.hpp"
+
+namespace atelier {
+
+/// The traced scene, then every pass that the settings ask for, up to the requested output. The formats of targets,
+/// fused passes and dithering are ignored.
+SceneTruth post_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
+
+}  // namespace atelier
