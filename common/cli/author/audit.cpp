@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
+#include "base/parallel.hpp"
 #include "cli/author/step_rules.hpp"
 #include "cli/author/workshop.hpp"
 #include "cli/commands.hpp"

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/parallel.hpp"
 #include "cli/author/last_bits.hpp"
 #include "cli/author/mutant_list.hpp"
 #include "cli/author/rewritings.hpp"

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/parallel.hpp"
 #include "base/replace_together.hpp"
 #include "base/sha256.hpp"
 #include "base/strict_json.hpp"
