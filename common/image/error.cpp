@@ -90,6 +90,39 @@ double share_of(const Image& picture, const Image& truth, Is is) {
   return double(count) / double(truth.pixels().size());
 }
 
+/// Blurred along one axis; weights of pixels outside the picture are left out.
+Image blurred(const Image& image, const glm::ivec2& along) {
+  constexpr double sigma = 2;
+  constexpr int reach = 6;
+  Image result(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      glm::dvec3 sum(0);
+      double weights = 0;
+      for (int k = -reach; k <= reach; ++k) {
+        const glm::ivec2 at = glm::ivec2(x, y) + k * along;
+        if (at.x < 0 || at.y < 0 || at.x >= image.width() || at.y >= image.height()) continue;
+        const double weight = std::exp(-k * k / (2 * sigma * sigma));
+        sum += weight * vector_of(image.at(at.x, at.y));
+        weights += weight;
+      }
+      const glm::vec3 mean(sum / weights);
+      result.at(x, y) = {mean.r, mean.g, mean.b, 1};
+    }
+  return result;
+}
+
+double rmse_of_blurred(const Image& picture, const Image& truth, bool codes, Encoding encoding) {
+  if (codes && encoding == Encoding::data)
+    throw Error("blurred_codes is a difference of colours, and this output is data");
+  const auto seen = [&](const Image& image) {
+    return blurred(blurred(codes && encoding == Encoding::linear ? encode_for_comparison(image) : image, {1, 0}),
+                   {0, 1});
+  };
+  return root_of_mean(seen(picture), seen(truth),
+                      [](const auto& a, const auto& b) { return squared_length(a - b) / 3; });
+}
+
 double mean_of(const Image& image) {
   double sum = 0;
   for (const Rgba& p : image.pixels()) sum += double(p.r) + p.g + p.b;
@@ -118,6 +151,10 @@ std::string to_string(ErrorMetric metric) {
       return "leak";
     case ErrorMetric::wrong:
       return "wrong";
+    case ErrorMetric::blurred_codes:
+      return "blurred_codes";
+    case ErrorMetric::blurred_light:
+      return "blurred_light";
     case ErrorMetric::mean:
       return "mean";
   }
@@ -150,6 +187,9 @@ double error_of(const Image& picture, const Image& truth, ErrorMetric metric, En
       return 180 / std::numbers::pi * root_of_mean(picture, truth, [](const auto& a, const auto& b) {
                return std::pow(angle(2.0 * a - 1.0, 2.0 * b - 1.0), 2);
              });
+    case ErrorMetric::blurred_codes:
+    case ErrorMetric::blurred_light:
+      return rmse_of_blurred(picture, truth, metric == ErrorMetric::blurred_codes, encoding);
     case ErrorMetric::rmse:
     case ErrorMetric::mean:
       break;

@@ -10,11 +10,24 @@
 
 namespace atelier {
 
-enum class ErrorMetric { rmse, flip, misclassified, distance, degrees, displacement, acne, leak, wrong, mean };
-inline constexpr std::array error_metrics{ErrorMetric::rmse,     ErrorMetric::flip,    ErrorMetric::misclassified,
-                                          ErrorMetric::distance, ErrorMetric::degrees, ErrorMetric::displacement,
-                                          ErrorMetric::acne,     ErrorMetric::leak,    ErrorMetric::wrong,
-                                          ErrorMetric::mean};
+enum class ErrorMetric {
+  rmse,
+  flip,
+  misclassified,
+  distance,
+  degrees,
+  displacement,
+  acne,
+  leak,
+  wrong,
+  blurred_codes,
+  blurred_light,
+  mean
+};
+inline constexpr std::array error_metrics{
+    ErrorMetric::rmse,          ErrorMetric::flip,          ErrorMetric::misclassified, ErrorMetric::distance,
+    ErrorMetric::degrees,       ErrorMetric::displacement,  ErrorMetric::acne,          ErrorMetric::leak,
+    ErrorMetric::wrong,         ErrorMetric::blurred_codes, ErrorMetric::blurred_light, ErrorMetric::mean};
 std::string to_string(ErrorMetric metric);  ///< "rmse": the enumerator's own name
 
 /// By metric; a and b are the three numbers of two pixels; opacity is ignored:
@@ -28,6 +41,9 @@ std::string to_string(ErrorMetric metric);  ///< "rmse": the enumerator's own na
 ///   around which b is nearly linear. If colours move with the surfaces, this is the length of the normal flow (B. K.
 ///   P. Horn and B. G. Schunck: Determining Optical Flow, Artificial Intelligence 17, 1981); the median ignores what
 ///   has become visible. 0 if there is no gradient.
+/// - blurred_light: rmse of both pictures after a Gaussian blur of 2 pixels, as an eye sees them that is too far away for
+///   single pixels. The blur of a border pixel is that of the pixels inside. For linear colours; others as they are.
+/// - blurred_codes: the same of sRGB-encoded colours, 0..1. Throws Error if `encoding` is data.
 /// For pictures whose red channel is the visible fraction of a light, 0 in shadow to 1 lit; all are fractions of
 /// pixels, 0..1:
 /// - acne: darker than the truth by more than 1/2: a false shadow.

@@ -37,6 +37,17 @@ Image direction(double degrees) {
   return filled({float(std::sin(angle) / 2 + 0.5), 0.5f, float(std::cos(angle) / 2 + 0.5), 1});
 }
 
+/// Black and white pixels in turn.
+Image checkers() {
+  Image image(16, 12);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const float grey = (x + y) % 2 == 0 ? 0.0f : 1.0f;
+      image.at(x, y) = {grey, grey, grey, 1};
+    }
+  return image;
+}
+
 }  // namespace
 
 TEST_CASE("known distances") {
@@ -70,6 +81,12 @@ TEST_CASE("known distances") {
       {"a half counts as lit", grey, filled({1, 0, 0, 1}), ErrorMetric::wrong, 0, 0},
       {"just off the other side", filled({0.499f, 0, 0, 1}), grey, ErrorMetric::wrong, 1, 0},
       {"only red counts", filled({1, 0, 0, 1}), filled({1, 1, 1, 1}), ErrorMetric::wrong, 0, 0},
+      {"a blur keeps what is even", filled({0.8f, 0.5f, 0.5f, 1}), grey, ErrorMetric::blurred_light,
+       0.3 / std::sqrt(3), of_floats},
+      {"black and white in turn are half of the light", checkers(), grey, ErrorMetric::blurred_light, 0, 0.01},
+      {"and a fifth of it looks like half of the codes", checkers(), filled({0.21404f, 0.21404f, 0.21404f, 1}),
+       ErrorMetric::blurred_codes, 0, 0.01},
+      {"without a blur each pixel is wrong", checkers(), grey, ErrorMetric::rmse, 0.5, of_floats},
       {"the mean of a picture", filled({0, 0.5f, 1, 1}), Image(), ErrorMetric::mean, 0.5, of_floats},
       {"equal pictures: FLIP", stain, stain, ErrorMetric::flip, 0, 0},
       {"opacity is not looked at", filled({0.5f, 0.5f, 0.5f, 0}), grey, ErrorMetric::rmse, 0, 0},
