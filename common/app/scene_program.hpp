@@ -29,6 +29,8 @@ struct SceneStep {
   std::function<Camera(const Scene& scene, const Camera& camera, const Settings& settings)> visit;
   MakeTruth truth;       ///< empty: there is no ground truth
   ChainFunctions chain;  ///< for features with post-processing passes
+  /// If set: StepProgram::write.
+  std::function<bool(const std::filesystem::path& file, const Image& picture)> write;
 };
 
 class SceneProgram : public StepProgram {
@@ -42,6 +44,9 @@ class SceneProgram : public StepProgram {
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
   Image truth(const TruthRequest& request, const Settings& settings) const override;
+  bool write(const std::filesystem::path& file, const Image& picture) const override {
+    return step_.write && step_.write(file, picture);
+  }
   SceneCounts counts() const override { return renderer_->counts(); }
   std::string reload_changed_shaders() override { return renderer_->reload_changed_shaders(); }
 

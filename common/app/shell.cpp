@@ -55,7 +55,7 @@ int trace(const StepIdentity& identity, const Implementations& implementations, 
   take_settings(line, program->description());
   const Image image = trace_case(*program, line.picture, line.samples);
   const Encoding encoding = encoding_of(program->description(), line.picture.output);
-  write_image(line.out, image, {.encoding = encoding});
+  if (!program->write(line.out, image)) write_image(line.out, image, {.encoding = encoding});
   return exit_ok;
 }
 
@@ -81,11 +81,12 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   const Image image = painter.paint(line.picture);  // loads the scene, whose camera is needed below
   const Camera camera = apply(line.picture.camera, program->camera());
   check_camera(line.picture.camera, camera);
-  if (line.record.empty())
-    write_image(line.out, image, {.encoding = encoding});
-  else
+  if (line.record.empty()) {
+    if (!program->write(line.out, image)) write_image(line.out, image, {.encoding = encoding});
+  } else {
     record(painter, line.picture, varied ? change_of_setting(*varied) : turn_of_camera(camera), encoding, line.record,
            line.frames);
+  }
   if (line.stats) std::fputs((line.json ? cost_as_json : cost_as_text)(painter.cost()).c_str(), stdout);
   return exit_ok;
 }

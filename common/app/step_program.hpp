@@ -2,6 +2,7 @@
 // (command line, headless drawing, window) does the rest.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -80,6 +81,9 @@ class StepProgram {
   /// only. Works before `open`, without OpenGL. Settings that only trade accuracy for speed have no effect. Throws
   /// Error if there is no truth, which is the default.
   virtual Image truth(const TruthRequest& request, const Settings& settings) const;
+
+  /// Writes a picture to a file in a format of its own; returns false if the file shall have the usual one.
+  virtual bool write(const std::filesystem::path&, const Image&) const { return false; }
 
   /// The renderer's counts for the last frame.
   virtual SceneCounts counts() const { return {}; }
