@@ -32,6 +32,7 @@ struct ChainPass {
 
   // For a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may
   // read u_picture, the result of the previous pass; u_NAME for each of `reads`; u_size, pixels (vec2).
+  // STORED_IN_8_BITS is defined if its result is stored in 8 bits a channel.
   SlotCode code;
   Defines structure;                       ///< #defines
   std::function<void(Binder&)> bind = {};  ///< sets its own uniforms

@@ -18,6 +18,10 @@ bool on_cpu(const ChainPass& pass) {
   return pass.on_floats || pass.on_bytes;
 }
 
+bool stores_8_bits(ColourFormat format) {
+  return format == ColourFormat::srgb8 || format == ColourFormat::rgba8;
+}
+
 ByteImage bytes_of(const Image& image) {
   ByteImage bytes{image.width(), image.height(), {}};
   bytes.rgba.reserve(image.pixels().size() * 4);
@@ -99,7 +103,9 @@ int ChainRunner::next_target(int source) const {
 
 void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, const Target& source,
                              const Target& target) {
-  Program& program = programs_.chain_pass({pass.code, pass.reads, pass.structure, functions_.glsl});
+  Defines structure = pass.structure;
+  if (stores_8_bits(target.spec().colour)) structure["STORED_IN_8_BITS"] = "1";
+  Program& program = programs_.chain_pass({pass.code, pass.reads, structure, functions_.glsl});
   reset_state(gl_);
   target.bind(gl_);
   gl_.UseProgram(program.program.id());
