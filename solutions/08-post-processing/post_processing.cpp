@@ -62,7 +62,7 @@ int next_target(int source) {
   // >>> student: the other one
   return source == 0 ? 1 : 0;
   // --- skeleton
-  // | return 0;
+  // | return source;
   // <<< student
 }
 

@@ -25,18 +25,19 @@ glm::dvec3 look_of(const std::string& name, const glm::dvec3& encoded) {
                       1.0);
   if (name == "night") {
     const double grey = glm::dot(encoded, glm::dvec3(0.3, 0.6, 0.1));
-    return glm::clamp(glm::mix(glm::dvec3(grey), encoded, 0.4) * glm::dvec3(0.42, 0.55, 0.85), 0.0, 1.0);
+    // The darker a colour is, the less of it is left.
+    return glm::mix(glm::dvec3(grey), encoded, 0.1 + 0.8 * grey) * glm::dvec3(0.42, 0.55, 0.85);
   }
   return encoded;
 }
 
-std::string look_text(const std::string& name) {
+std::string look_text(const std::string& name, int size) {
   std::string text =
-      fmt::format("# A look of Atelier, for sRGB-encoded colours.\nTITLE \"{}\"\nLUT_3D_SIZE {}\n", name, look_size);
-  for (int b = 0; b < look_size; ++b)
-    for (int g = 0; g < look_size; ++g)
-      for (int r = 0; r < look_size; ++r) {
-        const glm::dvec3 colour = look_of(name, glm::dvec3(r, g, b) / double(look_size - 1));
+      fmt::format("# A look of Atelier, for sRGB-encoded colours.\nTITLE \"{}\"\nLUT_3D_SIZE {}\n", name, size);
+  for (int b = 0; b < size; ++b)
+    for (int g = 0; g < size; ++g)
+      for (int r = 0; r < size; ++r) {
+        const glm::dvec3 colour = look_of(name, glm::dvec3(r, g, b) / double(size - 1));
         text += fmt::format("{:.6f} {:.6f} {:.6f}\n", colour.r, colour.g, colour.b);
       }
   return text;

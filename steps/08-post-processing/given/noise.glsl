@@ -6,10 +6,11 @@
 // 2014): even over 0..1 in each neighbourhood.
 float noise_at(vec2 pixel) { return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715)))); }
 
-// A colour as it is stored: 8-bit targets hold sRGB codes, and that is what is dithered.
+// A colour as it is stored: 8-bit targets hold sRGB codes, and that is what is dithered. DITHER is the number of the
+// pass, since each needs noise of its own: what one pass has rounded up, the next would round up again.
 vec4 kept(vec4 colour) {
-#ifdef DITHER
-  vec3 code = dithered(srgb_encode(clamp(colour.rgb, 0.0, 1.0)), noise_at(gl_FragCoord.xy));
+#if defined(DITHER) && defined(STORED_IN_8_BITS)
+  vec3 code = dithered(srgb_encode(clamp(colour.rgb, 0.0, 1.0)), noise_at(gl_FragCoord.xy + 37.0 * float(DITHER)));
   colour.rgb = srgb_decode(clamp(code, 0.0, 1.0));
 #endif
   return colour;

@@ -45,6 +45,7 @@ std::vector<SettingSpec> post_settings() {
       {.name = "colour.saturation", .fallback = 1.0, .low = 0, .high = 4, .help = "factor of the chroma"},
       {.name = "colour.brightness", .fallback = 1.0, .low = 0, .high = 4, .help = "factor of the luma"},
       {.name = "table.look", .fallback = std::string("none"), .choices = looks, .help = "a table of colours"},
+      {.name = "table.size", .fallback = 9, .low = 2, .high = 65, .help = "grid points along each axis"},
       {.name = "table.lookup",
        .fallback = std::string("trilinear"),
        .choices = {"trilinear", "tetrahedral"},
@@ -61,6 +62,7 @@ std::vector<SettingSpec> post_settings() {
 void PostChain::configure(const Settings& settings) {
   const std::string& curve = settings.choice("tone.curve");
   table_name_ = settings.choice("table.look");
+  table_points_ = settings.integer("table.size");
   look_ = {.bloom = float(settings.real("bloom.strength")),
            .exposure = float(settings.real("tone.exposure")),
            .curve = curve == "reinhard" ? 1
@@ -77,6 +79,9 @@ void PostChain::configure(const Settings& settings) {
   tetrahedral_ = settings.choice("table.lookup") == "tetrahedral";
   fuses_ = settings.flag("chain.fused");
   dithers_ = settings.flag("chain.dither");
+  const std::string& chain_format = settings.choice("chain.format");
+  frame_has_8_bits_ = settings.choice("frame.format") == "8";
+  chain_has_8_bits_ = chain_format == "8" || (chain_format == "frame" && frame_has_8_bits_);
   weights_ = look_.bloom > 0 ? gaussian_weights(sigma_) : std::vector<float>{1};
   if (weights_.empty()) weights_ = {1};
 }
@@ -123,7 +128,7 @@ GlTexture upload(Gl& gl, const Image& image, const char* name) {
 void PostChain::prepare(Gl& gl, const Scene&) {
   table_texture_ = {};
   if (look_.table) {
-    table_ = read_table(look_text(table_name_));
+    table_ = read_table(look_text(table_name_, table_points_));
     if (table_.size < 1 || table_.size > 256)
       throw Error(fmt::format("read_table returned a table of {} grid points a side (allowed: 1 to 256)", table_.size));
     table_texture_ = upload(gl, table_);
@@ -138,7 +143,6 @@ ChainPass PostChain::shader_pass(const char* name, const char* function) const {
   pass.structure = no_lights();
   pass.structure["CURVE"] = std::to_string(look_.curve);
   if (tetrahedral_) pass.structure["TETRAHEDRAL"] = "1";
-  if (dithers_) pass.structure["DITHER"] = "1";
   return pass;
 }
 
@@ -253,14 +257,17 @@ std::vector<ChainPass> PostChain::passes(const Scene&, const View& view) const {
     const auto at = std::ranges::find(passes, before, &ChainPass::name);
     passes.insert(at, idle);
   }
+  if (dithers_)
+    for (std::size_t i = 0; i < passes.size(); ++i) passes[i].structure["DITHER"] = std::to_string(i + 1);
   return passes;
 }
 
 // ---- The scene's own light
 
 Need PostChain::need(const Scene&, const View& view, const Node&) const {
-  Need need{.wanted = dithers_ && view.output == "colour"};
-  if (need.wanted) need.structure["DITHER"] = "1";
+  const bool stored_in_8_bits = passes_for(look_).empty() ? frame_has_8_bits_ : chain_has_8_bits_;
+  Need need{.wanted = dithers_ && stored_in_8_bits && view.output == "colour"};
+  if (need.wanted) need.structure = {{"DITHER", "0"}, {"STORED_IN_8_BITS", "1"}};
   return need;
 }
 

@@ -35,7 +35,9 @@ class PostChain : public Feature {
   post_processing::Look look_;
   float threshold_ = 1, sigma_ = 6, white_ = 4;
   std::string table_name_;
+  int table_points_ = 9;  ///< along each axis
   bool tetrahedral_ = false, fuses_ = false, dithers_ = false;
+  bool frame_has_8_bits_ = false, chain_has_8_bits_ = false;
   std::vector<float> weights_;
   post_processing::ColourTable table_;
   GlTexture table_texture_, overlay_texture_;

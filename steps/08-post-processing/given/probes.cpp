@@ -7,6 +7,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "08-post-processing/given/cube_texts.hpp"
 #include "08-post-processing/post_processing.hpp"
 #include "gl/full_screen.hpp"
 #include "gl/query.hpp"
@@ -168,19 +169,14 @@ Probe probe_table(const std::string& function) {
   };
 }
 
-/// A text as its character codes.
-std::string text_of(const Arguments& in) {
-  std::string text;
-  for (const double code : in.numbers("text")) text += char(int(code));
-  return text;
-}
-
+/// "file": a number of texts_to_read().
 Numbers probe_read(ProbeContext&, const Arguments& in) {
-  const ColourTable table = read_table(text_of(in));
+  const CubeText& file = texts_to_read().at(std::size_t(in.integer("file")));
+  const ColourTable table = read_table(file.text);
   Numbers out{double(table.size)};
   append(out, numbers_of(table.low));
   append(out, numbers_of(table.high));
-  out.push_back(double(table.title.size()));
+  out.push_back(double(table.title == file.title));
   out.push_back(double(table.colours.size()));
   if (table.colours.empty()) return out;
   append(out, numbers_of(table.colours.front()));
@@ -276,7 +272,11 @@ std::map<std::string, Probe> post_probes() {
       {"table_tetrahedral", probe_table("table_tetrahedral")},
       {"dithered", shader_probe(glsl, "vec4(dithered(stored, noise), 0.0)", 3)},
       {"read_table", probe_read},
-      {"read_refuses", [](ProbeContext&, const Arguments& in) { return refuses([&] { read_table(text_of(in)); }); }},
+      {"read_refuses",
+       [](ProbeContext&, const Arguments& in) {
+         const std::string& text = texts_to_judge().at(std::size_t(in.integer("file")));
+         return refuses([&] { read_table(text); });
+       }},
       {"write_table", probe_write},
   };
 }

@@ -120,15 +120,18 @@ glm::dvec3 adjusted(const glm::dvec3& c, const Settings& settings) {
 
 // ---- Tables
 
-glm::dvec3 grid_point(const std::string& look, const glm::ivec3& at) {
-  const glm::dvec3 exact = look_of(look, glm::dvec3(at) / double(look_size - 1));
+glm::dvec3 grid_point(const std::string& look, const glm::ivec3& at, int size) {
+  const glm::dvec3 exact = look_of(look, glm::dvec3(at) / double(size - 1));
   return glm::round(exact * 1e6) / 1e6;  // as the text says it
 }
 
-glm::dvec3 looked_up(const glm::dvec3& c, const std::string& look, bool tetrahedral) {
+glm::dvec3 looked_up(const glm::dvec3& c, const Settings& settings) {
+  const std::string& look = settings.choice("table.look");
+  const bool tetrahedral = settings.choice("table.lookup") == "tetrahedral";
+  const int size = settings.integer("table.size");
   const auto encode = [](double v) { return srgb_encode(std::clamp(v, 0.0, 1.0)); };
-  const glm::dvec3 place = glm::dvec3(encode(c.r), encode(c.g), encode(c.b)) * double(look_size - 1);
-  const glm::ivec3 corner = glm::min(glm::ivec3(place), glm::ivec3(look_size - 2));
+  const glm::dvec3 place = glm::dvec3(encode(c.r), encode(c.g), encode(c.b)) * double(size - 1);
+  const glm::ivec3 corner = glm::min(glm::ivec3(place), glm::ivec3(size - 2));
   const glm::dvec3 part = place - glm::dvec3(corner);
   glm::dvec3 found(0);
   if (tetrahedral) {
@@ -138,17 +141,17 @@ glm::dvec3 looked_up(const glm::dvec3& c, const std::string& look, bool tetrahed
     glm::ivec3 at = corner;
     double before = 1;
     for (const int axis : order) {
-      found += (before - part[axis]) * grid_point(look, at);
+      found += (before - part[axis]) * grid_point(look, at, size);
       before = part[axis];
       ++at[axis];
     }
-    found += before * grid_point(look, at);
+    found += before * grid_point(look, at, size);
   } else {
     for (int i = 0; i < 8; ++i) {
       const glm::ivec3 step(i & 1, i >> 1 & 1, i >> 2);
       double weight = 1;
       for (int axis = 0; axis < 3; ++axis) weight *= step[axis] ? part[axis] : 1 - part[axis];
-      found += weight * grid_point(look, corner + step);
+      found += weight * grid_point(look, corner + step, size);
     }
   }
   return {srgb_decode(found.r), srgb_decode(found.g), srgb_decode(found.b)};
@@ -199,10 +202,8 @@ Image developed(Image image, const Settings& settings, const std::string& output
       settings.real("colour.saturation") != 1 || settings.real("colour.brightness") != 1)
     image = changed(std::move(image), [&](const glm::dvec3& c) { return adjusted(c, settings); });
   if (output == "adjust") return image;
-  if (const std::string& look = settings.choice("table.look"); look != "none") {
-    const bool tetrahedral = settings.choice("table.lookup") == "tetrahedral";
-    image = changed(std::move(image), [&](const glm::dvec3& c) { return looked_up(c, look, tetrahedral); });
-  }
+  if (settings.choice("table.look") != "none")
+    image = changed(std::move(image), [&](const glm::dvec3& c) { return looked_up(c, settings); });
   if (output == "table") return image;
   const double overlay = settings.real("overlay.amount");
   return overlay > 0 ? overlaid(std::move(image), overlay) : image;

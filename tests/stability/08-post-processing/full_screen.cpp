@@ -94,7 +94,8 @@ void add_full_screen_rows(Table& table, ShaderFunctions& shaders) {
     group.equals(fmt::format("{} x {}: pixels that are not drawn exactly once", width, height),
                  [=, &shaders, width = width, height = height] {
                    double others = 0;
-                   for (const Rgba& p : drawn_full_screen(shaders, width, height).pixels()) others += p.r != 1;
+                   const Image drawn = drawn_full_screen(shaders, width, height);
+                   for (const Rgba& p : drawn.pixels()) others += p.r != 1;
                    return Values{others};
                  },
                  {0});
@@ -105,7 +106,8 @@ void add_full_screen_rows(Table& table, ShaderFunctions& shaders) {
          "away"},
         [=, &shaders, width = width, height = height] {
           double worst = 0;
-          for (const Rgba& p : drawn_full_screen(shaders, width, height).pixels()) worst = std::max(worst, double(p.g));
+          const Image drawn = drawn_full_screen(shaders, width, height);
+          for (const Rgba& p : drawn.pixels()) worst = std::max(worst, double(p.g));
           return worst;
         });
   }
