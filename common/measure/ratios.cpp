@@ -28,13 +28,15 @@ Case picture_named(const char* name, Json object, const std::string& where) {
 }
 
 RatioRow ratio_row_of(const Json& json, const Json& defaults, const std::string& where) {
-  strict_json::refuse_unknown(json, {"name", "picture", "beside", "at_most", "alike"}, where);
+  strict_json::refuse_unknown(json, {"name", "picture", "beside", "without", "at_most", "alike"}, where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   RatioRow row;
   row.name = strict_json::text(member("name"), where + ": name", 60);
   const Json picture = asked_picture(defaults, member("picture"), where + ": picture");
   row.picture = picture_named("picture", picture, where);
   row.beside = picture_named("beside", asked_picture(picture, member("beside"), where + ": beside"), where);
+  if (const Json* without = strict_json::optional(json, "without"))
+    row.without = picture_named("without", asked_picture(picture, *without, where + ": without"), where);
   if (const Json* most = strict_json::optional(json, "at_most"))
     row.at_most = strict_json::number(*most, where + ": at_most", 0.01, 100);
   if (const Json* alike = strict_json::optional(json, "alike")) {
@@ -84,11 +86,18 @@ std::vector<MeasuredRatio> measure_ratios(const RatioPlan& plan, const Program& 
     for (std::size_t i = 0; i < plan.rows.size(); ++i) {
       const RatioRow& row = plan.rows[i];
       const bool swapped = round % 2 == 1;
-      std::vector<Case> pair = {row.picture, row.beside};
-      if (swapped) std::swap(pair[0], pair[1]);
-      std::vector<Drawn> drawn = draw(program, pair, frames);
+      std::vector<Case> pictures = {row.picture, row.beside};
+      if (swapped) std::swap(pictures[0], pictures[1]);
+      if (row.without) pictures.push_back(*row.without);
+      std::vector<Drawn> drawn = draw(program, pictures, frames);
       if (swapped) std::swap(drawn[0], drawn[1]);
-      const double seconds = drawn[0].cost.times.value().median, beside = drawn[1].cost.times.value().median;
+      const auto taken_by = [&](std::size_t which) { return drawn[which].cost.times.value().median; };
+      const double common = row.without ? taken_by(2) : 0;
+      const double seconds = taken_by(0) - common, beside = taken_by(1) - common;
+      if (seconds <= 0 || beside <= 0)
+        throw Error(fmt::format("'{}': a picture of {:.3f} ms and one of {:.3f} ms must take longer than what is "
+                                "subtracted from them, {:.3f} ms",
+                                row.name, taken_by(0) * 1e3, taken_by(1) * 1e3, common * 1e3));
       taken[i].seconds.push_back(seconds);
       taken[i].beside_seconds.push_back(beside);
       taken[i].ratios.push_back(seconds / beside);

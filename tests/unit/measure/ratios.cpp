@@ -24,6 +24,7 @@ json ratios() {
             {{"name", "a door that fills the picture"},
              {"picture", {{"scene", "rooms"}, {"camera", {{"eye", {0, 1, 2}}, {"near", 0.5}}}}},
              {"beside", {{"camera", {{"eye", {41, 1, 2}}}}}},
+             {"without", {{"scene", "empty"}}},
              {"alike", 0.01}}}}};
 }
 
@@ -55,6 +56,10 @@ TEST_CASE("pictures take what they lack from the defaults, and the second one fr
   CHECK(filled.beside.camera.near == 0.5);
   CHECK(filled.picture.camera.eye == glm::dvec3(0, 1, 2));
   CHECK(filled.alike == 0.01);
+  REQUIRE(filled.without);
+  CHECK(filled.without->scene == "empty");
+  CHECK(filled.without->camera.eye == glm::dvec3(0, 1, 2));
+  CHECK_FALSE(doors.without);
   CHECK_FALSE(filled.at_most);
 }
 
