@@ -55,6 +55,11 @@ std::vector<SettingSpec> post_settings() {
        .fallback = false,
        .help = "tone, adjust, table and overlay in one pass, as far as they follow one another"},
       {.name = "chain.dither", .fallback = false, .help = "add noise before values are stored in 8 bits"},
+      {.name = "chain.fetches",
+       .fallback = 0,
+       .low = 0,
+       .high = 128,
+       .help = "a first pass that reads so many texels for each pixel and changes nothing: to compare times with"},
       chain_format_setting(),
   };
 }
@@ -79,6 +84,7 @@ void PostChain::configure(const Settings& settings) {
   tetrahedral_ = settings.choice("table.lookup") == "tetrahedral";
   fuses_ = settings.flag("chain.fused");
   dithers_ = settings.flag("chain.dither");
+  fetches_ = settings.integer("chain.fetches");
   const std::string& chain_format = settings.choice("chain.format");
   frame_has_8_bits_ = settings.choice("frame.format") == "8";
   chain_has_8_bits_ = chain_format == "8" || (chain_format == "frame" && frame_has_8_bits_);
@@ -190,6 +196,13 @@ ChainPass PostChain::bloom_pass() const {
   return pass;
 }
 
+ChainPass PostChain::fetching_pass() const {
+  ChainPass pass = shader_pass("fetches", "fetching_pass");
+  pass.structure["FETCHES"] = std::to_string(fetches_);
+  pass.bind = [](Binder& binder) { binder.set("u_nowhere", glm::vec2(0)); };
+  return pass;
+}
+
 namespace {
 
 /// A pass that handles one pixel after another, by its output's name and its function in post_passes.glsl.
@@ -257,6 +270,7 @@ std::vector<ChainPass> PostChain::passes(const Scene&, const View& view) const {
     const auto at = std::ranges::find(passes, before, &ChainPass::name);
     passes.insert(at, idle);
   }
+  if (fetches_ > 0) passes.insert(passes.begin(), fetching_pass());
   if (dithers_)
     for (std::size_t i = 0; i < passes.size(); ++i) passes[i].structure["DITHER"] = std::to_string(i + 1);
   return passes;

@@ -29,6 +29,7 @@ class PostChain : public Feature {
   ChainPass shader_pass(const char* name, const char* function) const;
   ChainPass blur_pass(const char* name, const char* function) const;
   ChainPass bloom_pass() const;
+  ChainPass fetching_pass() const;
   ChainPass fused(std::span<const post_processing::Pass> wanted) const;
   void bind(Binder& binder, post_processing::Pass pass) const;
 
@@ -37,6 +38,7 @@ class PostChain : public Feature {
   std::string table_name_;
   int table_points_ = 9;  ///< along each axis
   bool tetrahedral_ = false, fuses_ = false, dithers_ = false;
+  int fetches_ = 0;
   bool frame_has_8_bits_ = false, chain_has_8_bits_ = false;
   std::vector<float> weights_;
   post_processing::ColourTable table_;

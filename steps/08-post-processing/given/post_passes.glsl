@@ -55,3 +55,13 @@ vec4 bloom_pass(vec2 texcoord) {
   return kept(vec4(scene.rgb + u_bloom * here(texcoord).rgb, scene.a));
 }
 #endif
+
+#ifdef FETCHES
+// The mean of several texels, which all are this pixel's: u_nowhere is 0, which the compiler does not know.
+uniform vec2 u_nowhere;
+vec4 fetching_pass(vec2 texcoord) {
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < FETCHES; ++i) sum += texture(u_picture, texcoord + float(i) * u_nowhere);
+  return sum / float(FETCHES);
+}
+#endif
