@@ -59,14 +59,29 @@ bool sets_member(const std::string& name) {
   return name.find_first_of("[.") != name.npos;
 }
 
+/// Whether it is a uniform by its own name.
+bool is_uniform(const std::string& name) {
+  return sets_member(name) || name.starts_with("u_");
+}
+
+/// The uniform that an argument sets. All others are local variables of main, so that a student's functions may have
+/// their names.
+std::string uniform_of(const std::string& name) {
+  return is_uniform(name) ? name : "argument_" + name;
+}
+
 }  // namespace
 
 glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& expression,
                                 const Arguments& arguments) {
-  std::string text = "out vec4 o_value;\n";
-  for (const auto& [name, values] : arguments.values)
-    if (!sets_member(name)) text += fmt::format("uniform {} {};\n", glsl_type(name, values.size()), name);
-  text += preamble + "void main() { o_value = " + expression + "; }\n";
+  std::string text = "out vec4 o_value;\n", locals;
+  for (const auto& [name, values] : arguments.values) {
+    if (sets_member(name)) continue;
+    const char* const type = glsl_type(name, values.size());
+    text += fmt::format("uniform {} {};\n", type, uniform_of(name));
+    if (!is_uniform(name)) locals += fmt::format("{} {} = {}; ", type, name, uniform_of(name));
+  }
+  text += preamble + "void main() { " + locals + "o_value = " + expression + "; }\n";
 
   const std::string shown_as = "probe: " + expression;
   const DebugGroup group(gl_, shown_as);
@@ -88,7 +103,8 @@ glm::vec4 ShaderProbe::evaluate(const std::string& preamble, const std::string& 
   target.bind(gl_);
   gl_.UseProgram(program);
   for (const auto& [name, values] : arguments.values)
-    if (const GLint at = gl_.GetUniformLocation(program, name.c_str()); at >= 0) set_uniform(gl_, at, values);
+    if (const GLint at = gl_.GetUniformLocation(program, uniform_of(name).c_str()); at >= 0)
+      set_uniform(gl_, at, values);
   draw_triangle_by_id(gl_);
   check_gl_error(gl_, "evaluating a probe");
   const Rgba value = target.read_colour(gl_).at(0, 0);
