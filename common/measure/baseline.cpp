@@ -91,7 +91,7 @@ class Comparison {
 BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where) {
   const Json json = strict_json::parse(text, where);
   strict_json::refuse_unknown(
-      json, {"baseline", "scene", "size", "settings", "output", "metric", "samples", "peers", "rows"}, where);
+      json, {"baseline", "scene", "size", "settings", "output", "metric", "samples", "rows"}, where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(json, name, where); };
   BaselinePlan plan;
   plan.program = strict_json::name(member("baseline"), where + ": baseline");
@@ -102,8 +102,6 @@ BaselinePlan parse_baseline_plan(std::string_view text, const std::string& where
   if (const Json* settings = strict_json::optional(json, "settings"))
     plan.settings = settings_from_json(*settings, where + ": settings");
   plan.samples = strict_json::integer(member("samples"), where + ": samples", 1, 64);
-  if (const Json* peers = strict_json::optional(json, "peers"))
-    plan.peers = strict_json::boolean(*peers, where + ": peers");
   // Scene and size are checked as in a case.
   const Case picture = parse_case({{"name", "picture"}, {"scene", member("scene")}, {"size", member("size")}}, where);
   plan.scene = picture.scene;

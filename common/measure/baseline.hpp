@@ -27,7 +27,6 @@ struct BaselinePlan {
   std::string output;                      ///< the output of both programs whose error is measured besides colour's
   ErrorMetric metric = ErrorMetric::rmse;  ///< of that output
   int samples = 1;
-  bool peers = false;  ///< whether the step's work is also timed beside other packages (tests/peers)
   std::vector<BaselineRow> rows;
 };
 

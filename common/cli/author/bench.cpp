@@ -68,10 +68,9 @@ int run_bench(const BenchOptions& options) {
     figures.insert(figures.end(), parts.begin(), parts.end());
   }
   const std::optional<BaselineTable> table = bench_baseline(folders, step, options.repeats);
-  std::vector<PeerRow> peers;
-  if (table && table->plan.peers) peers = bench_peers(folders, step, options.repeats);
+  const std::vector<PeerRow> peers = bench_peers(folders, step, options.repeats);
   const std::optional<RatioTable> ratios = bench_ratios(folders, step, options.repeats);
-  if (options.baseline && !table && !ratios)
+  if (options.baseline && !table && !ratios && peers.empty())
     throw Error(fmt::format("--baseline: {} has nothing to compare with", step.name));
   if (options.json) {
     print_json(figures, table, ratios, peers);

@@ -17,8 +17,9 @@ namespace {
 using strict_json::Json;
 
 /// The metrics that need only a picture and its truth.
-constexpr std::array metrics{ErrorMetric::rmse,     ErrorMetric::flip,    ErrorMetric::misclassified,
-                             ErrorMetric::distance, ErrorMetric::degrees, ErrorMetric::wrong};
+constexpr std::array metrics{ErrorMetric::rmse,          ErrorMetric::flip,         ErrorMetric::misclassified,
+                             ErrorMetric::distance,      ErrorMetric::degrees,      ErrorMetric::wrong,
+                             ErrorMetric::blurred_codes, ErrorMetric::blurred_light};
 
 ErrorMetric metric_named(const Json& value, const std::string& where) {
   std::vector<std::string> names;
@@ -49,6 +50,10 @@ std::string error_words(ErrorMetric metric, double error) {
       return fmt::format("The angle to the truth is {:.3g} degrees", error);
     case ErrorMetric::wrong:
       return fmt::format("The fraction of pixels that are wrongly lit or wrongly dark is {:.3g}", error);
+    case ErrorMetric::blurred_codes:
+      return fmt::format("The root mean square error of the codes, blurred by 2 pixels, is {:.3g}", error);
+    case ErrorMetric::blurred_light:
+      return fmt::format("The root mean square error of the light, blurred by 2 pixels, is {:.3g}", error);
     default:
       return fmt::format("The root mean square error is {:.3g}", error);
   }

@@ -14,14 +14,16 @@ namespace {
 
 /// For computation, containers and debug output; not for files, threads, processes, clocks or loading libraries.
 constexpr std::array allowed_standard_headers = std::to_array<std::string_view>(
-    {"algorithm",        "array",       "bit",      "bitset",      "cassert",       "cfloat",        "charconv",
-     "cinttypes",        "climits",     "cmath",    "compare",     "complex",       "concepts",      "cstddef",
-     "cstdint",          "cstdio",      "cstdlib",  "cstring",     "deque",         "exception",     "functional",
-     "initializer_list", "iomanip",     "iostream", "iterator",    "limits",        "list",          "map",
-     "memory",           "numbers",     "numeric",  "optional",    "ostream",       "queue",         "random",
-     "ranges",           "ratio",       "set",      "span",        "sstream",       "stack",         "stdexcept",
-     "string",           "string_view", "tuple",    "type_traits", "unordered_map", "unordered_set", "utility",
-     "valarray",         "variant",     "vector"});
+    {"algorithm",   "array",         "bit",           "bitset",    "cassert",     "cctype",
+     "cerrno",      "cfloat",        "charconv",      "cinttypes", "climits",     "cmath",
+     "compare",     "complex",       "concepts",      "cstddef",   "cstdint",     "cstdio",
+     "cstdlib",     "cstring",       "deque",         "exception", "functional",  "initializer_list",
+     "iomanip",     "iostream",      "iterator",      "limits",    "list",        "map",
+     "memory",      "numbers",       "numeric",       "optional",  "ostream",     "queue",
+     "random",      "ranges",        "ratio",         "regex",     "set",         "span",
+     "sstream",     "stack",         "stdexcept",     "string",    "string_view", "tuple",
+     "type_traits", "unordered_map", "unordered_set", "utility",   "valarray",    "variant",
+     "vector"});
 
 /// Reads a source text after translation phase 2 ([lex.phases]): a backslash at the end of a line joins it with the
 /// next, except within a raw string.

@@ -39,7 +39,6 @@ TEST_CASE("a comparison with a baseline is read") {
   CHECK(plan.metric == ErrorMetric::wrong);
   CHECK(plan.settings.size() == 2);
   CHECK(plan.samples == 4);
-  CHECK_FALSE(plan.peers);
   REQUIRE(plan.rows.size() == 3);
   CHECK(plan.rows[0].name == "the same settings");
   CHECK(plan.rows[0].settings.at("shadow.pcf") == SettingValue(3));
@@ -74,7 +73,6 @@ TEST_CASE("an invalid comparison is refused with its place") {
       {"a metric that is none", [](json& d) { d["metric"] = "wron"; }, {"baseline.json: metric", "wron", "rmse"}},
       {"a metric of one picture", [](json& d) { d["metric"] = "mean"; }, {"baseline.json: metric", "mean"}},
       {"too many samples", [](json& d) { d["samples"] = 65; }, {"baseline.json: samples", "65"}},
-      {"a number for a flag", [](json& d) { d["peers"] = 1; }, {"baseline.json: peers", "true or false"}},
       {"no row", [](json& d) { d["rows"] = json::array(); }, {"baseline.json: rows", "at least one"}},
       {"a row without a name", [](json& d) { d["rows"][1].erase("name"); }, {"row 2", "name"}},
       {"an unknown member of a row", [](json& d) { d["rows"][0]["goal"] = 2; }, {"row 1", "goal"}},
