@@ -23,12 +23,15 @@ bool stores_8_bits(ColourFormat format) {
 }
 
 ByteImage bytes_of(const Image& image) {
-  ByteImage bytes{image.width(), image.height(), {}};
-  bytes.rgba.reserve(image.pixels().size() * 4);
-  const auto code = [](float alpha) { return std::uint8_t(std::clamp(alpha, 0.0f, 1.0f) * 255 + 0.5f); };
-  for (const Rgba& p : image.pixels())
-    bytes.rgba.insert(bytes.rgba.end(), {std::uint8_t(srgb_code(p.r)), std::uint8_t(srgb_code(p.g)),
-                                         std::uint8_t(srgb_code(p.b)), code(p.a)});
+  ByteImage bytes{image.width(), image.height(), std::vector<std::uint8_t>(4 * image.pixels().size())};
+  std::uint8_t* to = bytes.rgba.data();
+  for (const Rgba& p : image.pixels()) {
+    to[0] = srgb_code(p.r);
+    to[1] = srgb_code(p.g);
+    to[2] = srgb_code(p.b);
+    to[3] = std::uint8_t(std::clamp(p.a, 0.0f, 1.0f) * 255 + 0.5f);
+    to += 4;
+  }
   return bytes;
 }
 
@@ -37,10 +40,10 @@ Image image_of(const ByteImage& bytes, const ChainPass& pass) {
     throw Error(fmt::format("pass '{}': {} bytes for {}x{} pixels of 4", pass.name, bytes.rgba.size(), bytes.width,
                             bytes.height));
   Image image(bytes.width, bytes.height);
-  const auto linear = [](std::uint8_t code) { return float(srgb_decode(double(code) / 255)); };
-  for (std::size_t i = 0; i < image.pixels().size(); ++i) {
-    const std::uint8_t* p = &bytes.rgba[4 * i];
-    image.pixels()[i] = {linear(p[0]), linear(p[1]), linear(p[2]), float(p[3]) / 255};
+  const std::uint8_t* from = bytes.rgba.data();
+  for (Rgba& p : image.pixels()) {
+    p = {linear_of_code(from[0]), linear_of_code(from[1]), linear_of_code(from[2]), float(from[3]) / 255};
+    from += 4;
   }
   return image;
 }
