@@ -36,10 +36,11 @@ glm::vec3 colour_in(const std::vector<std::string_view>& words, std::size_t firs
   return {number_in<float>(words[first]), number_in<float>(words[first + 1]), number_in<float>(words[first + 2])};
 }
 
-/// What stands between the first quote and the last.
+/// What stands between the quotes, of which there are two.
 std::string title_in(std::string_view line) {
   const std::size_t first = line.find('"'), last = line.rfind('"');
-  if (first == last || words_of(line.substr(0, first)).size() != 1 || !words_of(line.substr(last + 1)).empty())
+  if (first == last || line.find('"', first + 1) != last || words_of(line.substr(0, first)).size() != 1 ||
+      !words_of(line.substr(last + 1)).empty())
     throw std::invalid_argument("TITLE wants one text in quotes");
   return std::string(line.substr(first + 1, last - first - 1));
 }

@@ -1,5 +1,6 @@
-// 08-post-processing: what each pass does to a pixel. The contract of each function is the comment above it. All colours
-// are linear light with the primaries of Rec. 709, at least 0; before tone mapping they may be above 1. Uniforms are in given/post_inputs.glsl.
+// 08-post-processing: what each pass does to a pixel. The contract of each function is the comment above it. All
+// colours are linear light with the primaries of Rec. 709, finite and at least 0; before tone mapping they may be above
+// 1. Uniforms are in given/post_inputs.glsl.
 #include "08-post-processing/given/post_inputs.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -9,7 +10,7 @@
 // The corners 0, 1 and 2 of a triangle that covers the whole picture, in normalised device coordinates (x and y of clip
 // space with w = 1), counter-clockwise. Handout, section 1.
 vec2 full_screen_corner(int corner) {
-  // TODO(08-post-processing): a triangle twice as wide and twice as high as the picture
+  // TODO(08-post-processing): three corners
   return vec2(0.0);
 }
 
@@ -38,7 +39,7 @@ vec3 hue_chroma_luma(vec3 colour) {
 // Hue 1/12, luma 0.2851: with chroma 0.5 it is (0.5, 0.25, 0). With chroma 0.8 it is the same: more chroma would need
 // less than no blue.
 vec3 colour_of(float hue, float chroma, float luma_wanted) {
-  // TODO(08-post-processing): the hue with chroma 1, moved to luma 0; then as much of it as fits
+  // TODO(08-post-processing): which colour has this hue, and how much of it fits?
   return vec3(luma_wanted);
 }
 
@@ -123,8 +124,8 @@ vec3 table_tetrahedral(sampler3D table, vec3 colour) {
 }
 
 // (further) What is stored in 8 bits in place of a value, so that its mean over many pixels stays: `stored` is 0..1, and
-// is rounded to the nearest multiple of 1/255 afterwards. `noise` is different in each pixel, even over 0..1;
-// more noise gives more. Handout, section 8.
+// is rounded to the nearest multiple of 1/255 afterwards: that is given. `noise` is another number in each pixel, and
+// uniformly distributed over 0..1; more noise gives more. Handout, section 8.
 vec3 dithered(vec3 stored, float noise) {
   // TODO(08-post-processing): half a step up or down
   return stored;

@@ -28,7 +28,7 @@ int next_target(int source);
 
 /// Draws one triangle, with the program in use, which reads no vertex attributes: its vertex shader gets gl_VertexID 0,
 /// 1 and 2. A core profile draws only while a vertex array object is bound, even an empty one. Everything that it
-/// creates is deleted, and no vertex array stays bound. Handout, section 1.
+/// creates is deleted, and afterwards no vertex array is bound, or the one that was. Handout, section 1.
 void draw_full_screen(Gl& gl);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -55,10 +55,10 @@ struct Look {
   float overlay = 0;     ///< how much of the other picture is seen, 0..1
 };
 
-/// The passes that this look needs, in the order in which they run: none that would leave every picture as it is, and
-/// each at most once. What spreads light comes while there is still more of it than a display can show; what corrects
-/// colours comes when they are those of a display; what is laid over the picture is not changed by the others. A table
-/// comes after hue, saturation and brightness. Handout, section 2.
+/// The passes that this look needs, in the order in which they run: none that would leave every picture (with colours
+/// of a display, where it corrects these) as it is, and each at most once. What spreads light works on the light of the
+/// scene, before tone mapping; what corrects colours works on those of a display, after it; what is laid over the
+/// picture is changed by no other pass. A table comes after hue, saturation and brightness. Handout, section 2.
 std::vector<Pass> passes_for(const Look& look);
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -79,18 +79,20 @@ struct ColourTable {
   std::vector<glm::vec3> colours = {};  ///< size^3 of them; red runs fastest, then green, then blue
 };
 
-/// (further) Reads a table from the text of a .cube file (Adobe, "Cube LUT Specification 1.0", 2013). Lines end with
-/// LF or CR LF. Empty lines, and lines that begin with '#', mean nothing. The keywords come before the colours:
-///   TITLE "text"            optional
-///   LUT_3D_SIZE n           n is 2..256
+/// (further) Reads a table from the text of a .cube file (Adobe, "Cube LUT Specification 1.0", 2013). Lines end with LF
+/// or CR LF; the last one may also end with the text. Words are separated by blanks or tabs, also before the first and
+/// after the last. Lines without a word, and lines whose first word begins with '#', mean nothing. The keywords come
+/// before the colours, in any order:
+///   TITLE "text"            optional; the text has no quotes, and may be empty
+///   LUT_3D_SIZE n           n is a whole number, 2..256
 ///   DOMAIN_MIN r g b        optional, otherwise 0 0 0
 ///   DOMAIN_MAX r g b        optional, otherwise 1 1 1; each above that of DOMAIN_MIN
-/// Then n^3 lines of three numbers. Words are separated by blanks or tabs, also before the first and after the last.
-/// A number is an optional minus sign, digits with at most one point, and an optional exponent; a plus sign before it,
-/// and a number too small for a float, may be accepted or refused.
+/// Then n^3 lines of three numbers. A number is an optional minus sign, decimal digits with at most one point, and an
+/// optional exponent. A plus sign before it may be accepted or refused, and so may a number that is not 0 but nearer to
+/// it than any float.
 /// Throws std::invalid_argument for everything else: another keyword (LUT_1D_SIZE too), a keyword twice, a number that
-/// is none or is not finite, too few or too many numbers in a line, too few or too many lines, no size. Handout,
-/// section 7.
+/// is none or is too large for a float, too few or too many numbers in a line, too few or too many lines, no size.
+/// Handout, section 7.
 ColourTable read_table(std::string_view text);
 
 /// (further) The text of a .cube file from which read_table gives exactly this table: every float is written so that

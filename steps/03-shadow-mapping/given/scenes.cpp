@@ -36,8 +36,9 @@ void add_floor(Scene& scene, float side, const glm::vec3& colour) {
   add_object(scene, make_plane({.width = side, .depth = side}), material, {.name = "floor", .casts_shadow = false});
 }
 
-/// A teapot on a table in front of a wall, under one spot.
-Scene teapot() {
+}  // namespace
+
+Scene make_teapot_scene() {
   Scene scene{.name = "teapot"};
   scene.ambient = glm::vec3(0.08f);
   const int wood = add_texture(scene, "wood", make_wood({.size = 256}));
@@ -54,6 +55,8 @@ Scene teapot() {
   scene.camera = {.eye = {-0.6, 1.7, 4.6}, .target = {-0.1, 0.75, 0}, .fov_y = degrees(40), .near = 0.5f, .far = 20};
   return scene;
 }
+
+namespace {
 
 /// Rotates a scene and its camera about an axis through the origin, with an additional root node. Lights are not
 /// rotated.
@@ -261,7 +264,7 @@ void choose_casters(Scene& scene, const Settings& settings) {
 const SceneTable& shadow_scenes() {
   static const SceneTable scenes = adjusted(
       {
-          {"teapot", [](const Settings&) { return teapot(); }},
+          {"teapot", [](const Settings&) { return make_teapot_scene(); }},
           {"grazing", grazing},
           {"table", [](const Settings&) { return table(); }},
           {"three-spots", [](const Settings&) { return three_spots(); }},

@@ -8,6 +8,9 @@ namespace atelier {
 const SceneTable& shadow_scenes();
 std::vector<SettingSpec> shadow_scene_settings();
 
+/// A teapot on a table in front of a wall, under one spot: the scene `teapot`, and of later steps.
+Scene make_teapot_scene();
+
 /// Scales a scene by `factor` (above 0): lengths and the lights' attenuation, so that the picture does not change.
 void enlarge(Scene& scene, double factor);
 

@@ -32,6 +32,9 @@ const std::vector<CubeText>& texts_to_read() {
        "\n9 8 7\n0 0 0\n0 0 0\n#\n" +
            black(3) + "\t4 5 6\t\n# the end\n\n",
        "x y"},
+      /* 9 */ {"DOMAIN_MAX 0 0 0\nDOMAIN_MIN -1 -1 -1\nLUT_3D_SIZE 2\n0 0 0\n1 0 0\n" + black(5) + "1 1 1\n", ""},
+      /* 10 */
+      {"DOMAIN_MIN 2 2 2\nTITLE \"\"\nDOMAIN_MAX 3 3 3\nLUT_3D_SIZE 2\n0 0 0\n1 0 0\n" + black(5) + "1 1 1\n", ""},
   };
   return texts;
 }
@@ -97,6 +100,16 @@ const std::vector<std::string>& texts_to_judge() {
       /* 51 */ "TITLE\nLUT_3D_SIZE 2\n" + black(8),
       /* 52 */ "TITLE warm \"a\"\nLUT_3D_SIZE 2\n" + black(8),
       /* 53 */ "TITLE \"a\" warm\nLUT_3D_SIZE 2\n" + black(8),
+      /* 54 */ "LUT_3D_SIZE 2\n1e999 0 0\n" + black(7),
+      /* 55 */ "LUT_3D_SIZE 2\n0x10 0 0\n" + black(7),
+      /* 56 */ "LUT_3D_SIZE 2\n0x1p3 0 0\n" + black(7),
+      /* 57 */ "LUT_3D_SIZE 2\n0, 0, 0\n" + black(7),
+      /* 58 */ "TITLE \"a\"b\"\nLUT_3D_SIZE 2\n" + black(8),
+      /* 59 */ "TITLE \"\"\nTITLE \"\"\nLUT_3D_SIZE 2\n" + black(8),
+      /* 60 */ "TITLE\"a\"\nLUT_3D_SIZE 2\n" + black(8),
+      /* 61 */ "LUT_3D_SIZE 2\n1e 0 0\n" + black(7),
+      /* 62 */ "LUT_3D_SIZE 2\n. 0 0\n" + black(7),
+      /* 63 */ "LUT_3D_SIZE 2\n1.2.3 0 0\n" + black(7),
   };
   return texts;
 }

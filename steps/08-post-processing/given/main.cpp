@@ -14,12 +14,7 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .title = ATELIER_STEP_TITLE,
       .scenes = post_scenes(),
       .settings = {post_settings(), lit_surface_settings()},
-      .outputs = {{"bright", Encoding::linear, "the light that blooms"},
-                  {"blur", Encoding::linear, "the same, blurred"},
-                  {"bloom", Encoding::linear, "the picture after the bloom"},
-                  {"tone", Encoding::linear, "the picture after tone mapping"},
-                  {"adjust", Encoding::linear, "the picture after hue, saturation and brightness"},
-                  {"table", Encoding::linear, "the picture after the table of colours"}},
+      .outputs = post_outputs(),
       .probes = post_probes(),
       .transforms = transform_functions(),
       .features =

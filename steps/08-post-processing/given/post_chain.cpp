@@ -64,6 +64,15 @@ std::vector<SettingSpec> post_settings() {
   };
 }
 
+std::vector<OutputSpec> post_outputs() {
+  return {{"bright", Encoding::linear, "the light that blooms"},
+          {"blur", Encoding::linear, "the same, blurred"},
+          {"bloom", Encoding::linear, "the picture after the bloom"},
+          {"tone", Encoding::linear, "the picture after tone mapping"},
+          {"adjust", Encoding::linear, "the picture after hue, saturation and brightness"},
+          {"table", Encoding::linear, "the picture after the table of colours"}};
+}
+
 void PostChain::configure(const Settings& settings) {
   const std::string& curve = settings.choice("tone.curve");
   table_name_ = settings.choice("table.look");

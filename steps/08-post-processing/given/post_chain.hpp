@@ -5,6 +5,7 @@
 
 #include "08-post-processing/given/looks.hpp"
 #include "08-post-processing/post_processing.hpp"
+#include "app/step_program.hpp"
 #include "case/settings.hpp"
 #include "gl/objects.hpp"
 #include "render/feature.hpp"
@@ -15,6 +16,9 @@ namespace atelier {
 ChainFunctions chain_functions();
 
 std::vector<SettingSpec> post_settings();
+
+/// The picture after each pass.
+std::vector<OutputSpec> post_outputs();
 
 class PostChain : public Feature {
  public:

@@ -10,6 +10,7 @@
 #include "08-post-processing/given/cube_texts.hpp"
 #include "08-post-processing/post_processing.hpp"
 #include "gl/full_screen.hpp"
+#include "gl/objects.hpp"
 #include "gl/query.hpp"
 #include "gl/state.hpp"
 #include "gl/target.hpp"
@@ -24,8 +25,15 @@ const char* const glsl_file = "08-post-processing/post_processing.glsl";
 
 // ---- The chain
 
-/// How many pixels one full-screen pass draws exactly once; whether a vertex array is bound afterwards; how many vertex
-/// arrays are left; how many vertices were drawn.
+/// The vertex arrays that exist, of the lowest names: drivers give free ones first.
+int vertex_arrays(Gl& gl) {
+  int count = 0;
+  for (GLuint id = 1; id <= 1000; ++id) count += gl.IsVertexArray(id) == GL_TRUE;
+  return count;
+}
+
+/// How many pixels one full-screen pass draws exactly once; whether another vertex array is bound afterwards than
+/// before; how many vertices were drawn; how many more vertex arrays there are.
 Numbers probe_full_screen(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   const glm::ivec2 size(in.vec2("size"));
@@ -40,15 +48,19 @@ Numbers probe_full_screen(ProbeContext& context, const Arguments& in) {
   gl.Enable(GL_BLEND);
   gl.BlendFunc(GL_ONE, GL_ONE);
   gl.UseProgram(program.id());
+  const GlVertexArray before(gl);
+  gl.BindVertexArray(before.id());
+  const int arrays = vertex_arrays(gl);
   gl.restart_counts();
   draw_full_screen(gl);
   const auto vertices = gl.counts().vertices;
   const GLint bound = integer_of(gl, GL_VERTEX_ARRAY_BINDING);
+  const int left = vertex_arrays(gl) - arrays;
   reset_state(gl);
   check_gl_error(gl, "draw_full_screen");
   const Image drawn = target.read_colour(gl);
-  return {double(std::ranges::count_if(drawn.pixels(), [](const Rgba& p) { return p.r == 1; })), double(bound != 0),
-          double(vertices)};
+  return {double(std::ranges::count_if(drawn.pixels(), [](const Rgba& p) { return p.r == 1; })), double(bound != 0 && GLuint(bound) != before.id()),
+          double(vertices), double(left)};
 }
 
 /// Whether the triangle covers the whole picture, and whether its corners are counter-clockwise.
@@ -158,12 +170,15 @@ Probe probe_table(const std::string& function) {
   return [function](ProbeContext& context, const Arguments& in) {
     Gl& gl = context.gl;
     gl.ActiveTexture(GL_TEXTURE0);
-    const GlTexture texture = table_texture(gl, in.integer("size"));
+    const int size = in.integer("size");
+    const GlTexture texture = table_texture(gl, size);
+    Arguments arguments = in;
+    arguments.values["u_table_size"] = {double(size)};
     const glm::vec4 found = context.shaders.evaluate(
         fmt::format("#define POST_INPUTS\n#define LAST_WEIGHT 0\nconst float u_weights[1] = float[](1.0);\n"
-                    "#define u_table_size size\n#include \"{}\"\nuniform sampler3D u_test;\n",
+                    "#include \"{}\"\nuniform sampler3D u_test;\n",
                     glsl_file),
-        fmt::format("vec4({}(u_test, colour), 0.0)", function), in);
+        fmt::format("vec4({}(u_test, colour), 0.0)", function), arguments);
     gl.BindTexture(GL_TEXTURE_3D, 0);
     return Numbers{double(found.r), double(found.g), double(found.b)};
   };
@@ -185,15 +200,20 @@ Numbers probe_read(ProbeContext&, const Arguments& in) {
   return out;
 }
 
-/// Tables to write. 0: plain; 1: with a title; 2: another range; 3: numbers that need all their digits.
+/// Tables to write. 0: plain; 1: with a title; 2: another range; 3: numbers that need all their digits; 4: another
+/// range in one channel; 5: the smallest floats, and negative ones.
 ColourTable table_to_write(int kind) {
   ColourTable table{.size = kind == 3 ? 3 : 2};
+  if (kind == 4) table.low = glm::vec3(0, -1, 0);
   if (kind == 1) table.title = "Evening, by hand";
   if (kind == 2) table.low = glm::vec3(-0.125f, 0, 0.1f), table.high = glm::vec3(1, 2.5f, 0.9f);
   for (int i = 0; i < table.size * table.size * table.size; ++i) {
     const float x = float(i) / 7;
-    table.colours.emplace_back(kind == 3 ? glm::vec3(std::sqrt(x), 1e-6f * x + 1e-7f, 1 / (3 + x))
-                                         : glm::vec3(x, 1 - x, 0.5f * x));
+    if (kind == 5)
+      table.colours.emplace_back(1.4e-45f * float(i + 1), -1e-40f * x, -1e-7f / (1 + x));
+    else
+      table.colours.emplace_back(kind == 3 ? glm::vec3(std::sqrt(x), 1e-6f * x + 1e-7f, 1 / (3 + x))
+                                           : glm::vec3(x, 1 - x, 0.5f * x));
   }
   return table;
 }
