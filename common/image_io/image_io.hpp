@@ -60,7 +60,8 @@ std::vector<std::byte> encode_png(const Image& image, const WriteOptions& option
 
 /// Writes a .gif that loops forever: `count` frames (1 or more), frame(0), frame(1) ..., requested one at a time, so
 /// that only one is in memory; all of the same size. `delay` is the time per frame in seconds, 0.02..60, stored in
-/// hundredths (viewers slow down shorter delays). GIF has 256 colours per frame; gradients are dithered. Throws Error
+/// hundredths (viewers slow down shorter delays). Frames of up to 256 colours each are
+/// exact; if one has more, all are dithered. Throws Error
 /// as write_image does.
 void write_animation(const std::filesystem::path& path, int count, const std::function<Image(int)>& frame, double delay,
                      Encoding encoding = Encoding::linear);

@@ -2,6 +2,7 @@
 // opens, limits and renames files. Each file is read by the reader of its format: otherwise the library would try all
 // its plug-ins on an unknown file.
 #include "image_io/module.hpp"
+#include "image_io/exact_gif.hpp"
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
@@ -144,21 +145,37 @@ std::vector<std::byte> encode(const Samples& samples, const std::string& format)
   });
 }
 
+/// With a palette for each frame that the library chooses, and dithered.
+std::vector<std::byte> animate_approximately(int count, const std::function<Samples(int)>& frame, int delay) {
+  OIIO::Filesystem::IOVecOutput bytes;
+  const auto output = make_output("gif", bytes);
+  for (int i = 0; i < count; ++i) {
+    const Samples samples = frame(i);
+    OIIO::ImageSpec spec = spec_of(samples);
+    // The library takes frames per second and rounds the delay down to hundredths.
+    spec.attribute("FramesPerSecond", float(100 / (delay + 0.01)));
+    if (!output->open("picture.gif", spec, i ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create) ||
+        !output->write_image(memory(samples).first, memory(samples).second))
+      throw Error(one_line(output->geterror()));
+  }
+  if (!output->close()) throw Error(one_line(output->geterror()));
+  return taken(bytes);
+}
+
+/// Exactly, if no frame has more than 256 colours. Each frame is asked for once.
 std::vector<std::byte> animate(int count, const std::function<Samples(int)>& frame, int delay) {
   return guarded([&] {
-    OIIO::Filesystem::IOVecOutput bytes;
-    const auto output = make_output("gif", bytes);
+    std::vector<IndexedFrame> exact;
     for (int i = 0; i < count; ++i) {
       const Samples samples = frame(i);
-      OIIO::ImageSpec spec = spec_of(samples);
-      // The library takes frames per second and rounds the delay down to hundredths.
-      spec.attribute("FramesPerSecond", float(100 / (delay + 0.01)));
-      if (!output->open("picture.gif", spec, i ? OIIO::ImageOutput::AppendSubimage : OIIO::ImageOutput::Create) ||
-          !output->write_image(memory(samples).first, memory(samples).second))
-        throw Error(one_line(output->geterror()));
+      if (std::optional<IndexedFrame> one = indexed(samples)) {
+        exact.push_back(std::move(*one));
+        continue;
+      }
+      const auto again = [&](int k) { return k < i ? samples_of(exact[std::size_t(k)]) : k == i ? samples : frame(k); };
+      return animate_approximately(count, again, delay);
     }
-    if (!output->close()) throw Error(one_line(output->geterror()));
-    return taken(bytes);
+    return encode_exact_gif(exact, delay);
   });
 }
 

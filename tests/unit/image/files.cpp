@@ -122,6 +122,42 @@ TEST_CASE("sides, rows and numbers of other formats") {
   CHECK(light.at(1, 0).b == Approx(8).margin(8 / 128.0));
 }
 
+TEST_CASE("frames of few colours are exact in animations") {
+  const TemporaryFolder folder("atelier-image-test");
+  const auto path = folder.path() / "few.gif";
+  // 27 colours side by side, in another order in each frame: any palette but the exact one changes them.
+  const auto frame = [](int i) {
+    Image image(27, 8);
+    for (int y = 0; y < 8; ++y)
+      for (int x = 0; x < 27; ++x) {
+        const int colour = (7 * x + 5 * y + 11 * i) % 27;
+        image.at(x, y) = {float(colour % 3) / 2, float(colour / 3 % 3) / 2, float(colour / 9) / 2, 1};
+      }
+    return image;
+  };
+  write_animation(path, 3, frame, 0.05, Encoding::data);
+  const Image first = read_image(path, Encoding::data);
+  REQUIRE(first.same_size(frame(0)));
+  for (std::size_t i = 0; i < first.pixels().size(); ++i)
+    CHECK(std::abs(first.pixels()[i].r - frame(0).pixels()[i].r) < 0.003);
+  // One frame with more colours: none is lost.
+  const auto smooth = [&](int i) {
+    Image image = frame(i);
+    if (i == 1)
+      for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 27; ++x) image.at(x, y) = {float(x) / 26, float(y) / 7, float(x + y) / 33, 1};
+    Image large(27 * 2, 8 * 2);
+    for (int y = 0; y < 16; ++y)
+      for (int x = 0; x < 54; ++x) {
+        large.at(x, y) = image.at(x / 2, y / 2);
+        if (i == 1) large.at(x, y).g = float(x * 16 + y) / 864;
+      }
+    return large;
+  };
+  write_animation(path, 3, smooth, 0.05, Encoding::data);
+  CHECK(read_image(path, Encoding::data).same_size(smooth(0)));
+}
+
 TEST_CASE("animations: all frames in one file; the first is read") {
   const TemporaryFolder folder;
   const auto path = folder.path() / "turn.gif";
