@@ -36,6 +36,11 @@ std::map<std::string, std::int64_t> counts_at_rest(const std::string& step, cons
 /// 160 x 120 pixels.
 Case picture(const std::string& scene, std::map<std::string, SettingValue> settings = {},
              const std::string& output = "colour");
+/// A choice as a setting's value: a literal alone would be a flag.
+inline std::string text(const char* choice) {
+  return choice;
+}
+
 inline constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< of its target: floats, 24 bits of depth in 32
 
 /// The largest difference of two pictures after encoding, in units of 1/255.

@@ -8,10 +8,6 @@ namespace {
 
 constexpr const char* parallax_step = "06-parallax-mapping";
 
-std::string text(const char* choice) {
-  return choice;
-}
-
 }  // namespace
 
 TEST_CASE("surfaces without a relief have no height map, no tangents and no march", "[required][06-parallax-mapping]") {
