@@ -1,0 +1,75 @@
+// 09-dithering: what a pixel shader does. The contract of each function is the comment above it.
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 1: a matrix of thresholds
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The threshold of a rank, one of the whole numbers 0 .. count - 1: the middle of the part of 0..1 that belongs to it
+// when all ranks get equal parts in their order. Handout, section 2.
+float threshold_of(float rank, float count) {
+  // TODO(09-dithering): the middle of a part
+  return 0.5;
+}
+
+// The number of the level, 0 .. levels - 1, that stands for a value at a threshold, which is above 0 and below 1. Of
+// the two levels next to the value it is the upper one if the value has come further on the way between them than the
+// threshold says; if they are equal, either. Values below 0 are taken as 0, above 1 as 1. Handout, section 2. Five
+// levels, 0.6: 0.4 of the way from level 2 to level 3. It is level 3 at a threshold of 0.3, and level 2 at 0.5.
+float level_of(float value, float threshold, float levels) {
+  // TODO(09-dithering): how far is it, in levels?
+  return 0.0;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Core 3: one bit for each pixel
+// ---------------------------------------------------------------------------------------------------------------------
+
+// The place on a cube around the eye that is seen in a direction (of any length above 0). x and y run from -1 to 1
+// across the face and are proportional to the angle from its middle. z is the number of the face: 0 for +x, 1 -x, 2 +y,
+// 3 -y, 4 +z, 5 -z. x is along the axis after the face's own, y along the one after that, in the order x, y, z, x, y.
+// On an edge any of its faces is right. Handout, section 4. (2, 1, -0.5) is on face 0, at x = 0.5903 (26.57 of 45
+// degrees) and y = -0.3119.
+vec3 cube_place(vec3 direction) {
+  // TODO(09-dithering): the face, then two angles
+  return vec3(0.0);
+}
+
+// Whether a line is drawn between two neighbouring pixels. They show the points a and b, where the surface has the unit
+// normals normal_a and normal_b; `nearest` is the distance from the eye to the nearer point, metres. There is a line
+// where the normals differ by more than 30 degrees, and also where neither point lies on the other's tangent plane, to
+// within 1 % of the distance. Handout, section 4.
+bool edge_between(vec3 a, vec3 normal_a, vec3 b, vec3 normal_b, float nearest) {
+  // TODO(09-dithering): a bend, or a step
+  return false;
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Challenge: a pattern on the world
+// ---------------------------------------------------------------------------------------------------------------------
+
+// (challenge) Which cells are mixed at a place where cells of `size` metres would look right. There are squares of 2^k
+// metres for each whole number k. x is the least k whose squares are larger than `size`. y, from 0 to 1, is how much of
+// the squares of twice that is mixed in: 0 where those of 2^k metres are twice as large as `size`, and growing evenly
+// with the logarithm of `size` until, at 1, they are just as large. At a power of two (k, 1) is as right as (k + 1, 0).
+// Handout, section 7.
+// At 0.3 m squares of 2^-1 m are the least: (-1, 0.263).
+vec2 octave_of(float size) {
+  // TODO(09-dithering): the logarithm, in two parts
+  return vec2(0.0);
+}
+
+// (challenge) The place of a point in the plane of two world axes that the surface faces most: the component of the
+// position that belongs to the normal's largest component (without its sign) is left out, and the two others follow in
+// the order x, y, z, x: (y, z), (z, x) or (x, y). Where components are equal, any of them. Handout, section 7.
+vec2 surface_place(vec3 position, vec3 normal) {
+  // TODO(09-dithering): which axis is left out?
+  return vec2(0.0);
+}
+
+// (challenge) One threshold of two, a and b, which are independent of each other and each even over 0..1. The result is
+// even over 0..1 too, grows with each of them, depends on (1 - part) * a + part * b alone, and is a where part is 0, b
+// where it is 1. part is 0..1. Handout, section 7.
+float mixed_threshold(float a, float b, float part) {
+  // TODO(09-dithering): how often is the mean of two below this one?
+  return a;
+}
