@@ -37,7 +37,7 @@ std::string count(int usually, int of_one_step) {
 }  // namespace
 
 TEST_CASE("mutants of the solutions are caught", "[mutants][each-step]") {
-  check_mutations({"--count", count(10, 20)});
+  check_mutations({"--count", count(6, 20)});
 }
 
 TEST_CASE("solutions in other words keep all points", "[rewritings][each-step]") {
