@@ -24,7 +24,7 @@ void add_adjusted_rows(Table& table, ShaderFunctions& shaders) {
   Group group = table.of("adjusted (GLSL)");
   const ShaderFunction function = post_function({"c", "by"}, "vec4(adjusted(c.rgb, by.x, by.y, by.z), 0.0)");
   const auto worst = [=, &shaders](auto colour, const Change& change, auto error) {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 830, [=](Trial& t) { return input_of(colour(t), change); },
         [=](const ShaderInput& in, const Colour& out) { return error(Colour(in[0]), out); });
   };
@@ -118,11 +118,11 @@ void add_adjusted_rows(Table& table, ShaderFunctions& shaders) {
               {6e-6, "of the largest, at least 1",
                "2e-6 by the hue; what the luma leaves below 1 is 0.07 for yellow, which counts roundings 14 times"},
               [=, &shaders] {
-                return worst_of_calls(shaders, function, 10'000, 831, some_adjustment,
-                                      [](const ShaderInput& in, const Colour& out) {
-                                        const Colour expected = exactly_adjusted(Colour(in[0]), Colour(in[1]));
-                                        return largest_of(out - expected) / std::max(1.0, largest_of(expected));
-                                      });
+                return worst_of_calls<Colour>(shaders, function, 10'000, 831, some_adjustment,
+                                              [](const ShaderInput& in, const Colour& out) {
+                                                const Colour expected = exactly_adjusted(Colour(in[0]), Colour(in[1]));
+                                                return largest_of(out - expected) / std::max(1.0, largest_of(expected));
+                                              });
               });
   group.finite("denormal components", [=, &shaders] {
     return colours_of(shaders, function, {input_of(glm::vec3(denormal, 2 * denormal, 0), Change(0.3f, 1e6f, 1e6f))});

@@ -32,7 +32,7 @@ void add_bright_rows(Table& table, ShaderFunctions& shaders) {
   // Against thresholds that are made of the luma of the very colour.
   const auto at_luma = [&shaders](const char* threshold, auto error) {
     const ShaderFunction same = post_function({"c"}, fmt::format("vec4(bright_part(c.rgb, {}), 0.0)", threshold));
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, same, 10'000, 880, [](Trial& t) { return input_of(some_light(t, 1e-3, double(largest_half))); },
         error);
   };
@@ -68,7 +68,7 @@ void add_bright_rows(Table& table, ShaderFunctions& shaders) {
   }
   group.close("10000 random colours, each component from 1e-6 to 65504, thresholds from 1e-4 to 16", bound,
               [=, &shaders] {
-                return worst_of_calls(
+                return worst_of_calls<Colour>(
                     shaders, function, 10'000, 881,
                     [](Trial& t) {
                       const glm::vec3 c = some_light(t, 1e-6, double(largest_half));

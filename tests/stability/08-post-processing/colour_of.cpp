@@ -91,9 +91,10 @@ void add_colour_rows(Table& table, ShaderFunctions& shaders) {
         });
 
   const auto worst = [=, &shaders](auto error) {
-    return worst_of_calls(shaders, function, 10'000, 820, some_parts, [=](const ShaderInput& in, const Colour& out) {
-      return error(double(in[0].x), double(in[0].y), double(in[0].z), out);
-    });
+    return worst_of_calls<Colour>(shaders, function, 10'000, 820, some_parts,
+                                  [=](const ShaderInput& in, const Colour& out) {
+                                    return error(double(in[0].x), double(in[0].y), double(in[0].z), out);
+                                  });
   };
   const std::string trials = "10000 random hues and lumas, chromas of 1e-6 to 1e6: ";
   group.close(trials + "the greatest that fits", bound, [=] {
@@ -138,7 +139,7 @@ void add_round_trip_rows(Table& table, ShaderFunctions& shaders) {
       post_function({"c"}, "vec4(there_and_back(c.rgb), 0.0)",
                     "vec3 there_and_back(vec3 c) { vec3 p = hue_chroma_luma(c); return colour_of(p.x, p.y, p.z); }\n");
   const auto worst = [=, &shaders](float size, auto colour) {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 825, [=](Trial& t) { return input_of(size * colour(t)); },
         [=](const ShaderInput& in, const Colour& out) { return largest_of(out - Colour(in[0])) / double(size); });
   };

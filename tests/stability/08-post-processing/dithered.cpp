@@ -33,7 +33,7 @@ void add_dithered_rows(Table& table, ShaderFunctions& shaders) {
   group.close("10000 random values and noises: never more than half a step away",
               {1e-4, "steps of 8 bits", "a value of up to 1 is rounded by 6e-8, 1.5e-5 of a step, and so is the noise"},
               [=, &shaders] {
-                return worst_of_calls(
+                return worst_of_calls<Colour>(
                     shaders, function, 10'000, 921,
                     [](Trial& t) {
                       const glm::vec3 stored = some_colour(t);
@@ -50,7 +50,7 @@ void add_dithered_rows(Table& table, ShaderFunctions& shaders) {
               });
   group.equals("10000 greys: the chroma that they get",
                [=, &shaders] {
-                 return Values{worst_of_calls(
+                 return Values{worst_of_calls<Colour>(
                      shaders, function, 10'000, 922,
                      [](Trial& t) {
                        const double grey = t.between(0, 1);

@@ -37,7 +37,7 @@ void add_filmic_rows(Table& table, ShaderFunctions& shaders) {
         return Values{of(glm::vec3(1e18f))[0], of(glm::vec3(0))[1], of(glm::vec3(0.18f))[2]};
       });
   group.close("10000 random colours, each component from 1e-6 to 1e6", bound, [=, &shaders] {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 850, [](Trial& t) { return input_of(some_light(t, 1e-6, 1e6)); },
         [](const ShaderInput& in, const Colour& out) {
           const Colour c(in[0]);

@@ -66,7 +66,7 @@ void add_parts_rows(Table& table, ShaderFunctions& shaders) {
 
   // Random colours: the errors of the hue in turns, of chroma and luma as a share of themselves.
   const auto worst = [=, &shaders](int part, auto colour) {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 810, [=](Trial& t) { return input_of(colour(t)); },
         [=](const ShaderInput& in, const Colour& out) {
           const Colour c(in[0]);
@@ -91,7 +91,7 @@ void add_parts_rows(Table& table, ShaderFunctions& shaders) {
                [=, &shaders] {
                  double outside = 0;
                  for (const bool nearly : {false, true})
-                   outside += worst_of_calls(
+                   outside += worst_of_calls<Colour>(
                        shaders, function, 10'000, 811,
                        [=](Trial& t) { return input_of(nearly ? nearly_grey(t) : some_colour(t)); },
                        [](const ShaderInput&, const Colour& out) { return count_outside({out.x}, 0, 1); });

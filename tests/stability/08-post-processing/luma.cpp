@@ -22,7 +22,7 @@ void add_luma_rows(Table& table, ShaderFunctions& shaders) {
   group.close("a denormal grey: itself, or 0", {double(denormal), "absolute", "drivers may flush denormals to 0"},
               [=] { return difference(of(glm::vec3(denormal)), {double(denormal)}); });
   group.close("10000 random colours, each component from 1e-30 to 1e30", rounded, [=, &shaders] {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 800, [](Trial& t) { return input_of(some_light(t, 1e-30, 1e30)); },
         [](const ShaderInput& in, const Colour& out) {
           const double expected = luma_of(Colour(in[0]));

@@ -50,7 +50,7 @@ void add_overlaid_rows(Table& table, ShaderFunctions& shaders) {
   group.close("10000 random layers up to 65504",
               {6 * rounding_unit, "of the largest", "two products, a sum, and the product and the rest of the share"},
               [=, &shaders] {
-                return worst_of_calls(
+                return worst_of_calls<Colour>(
                     shaders, function, 10'000, 870,
                     [](Trial& t) {
                       const glm::vec3 below = some_light(t, 1e-3, double(largest_half)),

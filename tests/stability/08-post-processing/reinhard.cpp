@@ -31,7 +31,7 @@ void add_reinhard_rows(Table& table, ShaderFunctions& shaders) {
       });
   }
   group.close("10000 random colours, each component from 1e-6 to 65504, whites from 1e-3 to 1e6", bound, [=, &shaders] {
-    return worst_of_calls(
+    return worst_of_calls<Colour>(
         shaders, function, 10'000, 840,
         [](Trial& t) {
           const glm::vec3 c = some_light(t, 1e-6, double(largest_half));

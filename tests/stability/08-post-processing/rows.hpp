@@ -3,6 +3,7 @@
 
 #include "08-post-processing/post_processing.hpp"
 #include "stability/08-post-processing/colours.hpp"
+#include "stability/calls.hpp"
 #include "stability/rows.hpp"
 
 namespace atelier::stability {
@@ -39,25 +40,6 @@ double exact_filmic(double x);
 
 /// What the functions of GLSL give for these calls: three numbers each.
 Values colours_of(ShaderFunctions& shaders, const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
-
-/// The largest error over `count` trials, which are evaluated in one draw: arguments(trial) is a call, and error(call,
-/// colour) says how far what came out is from what should. Infinite where one is NaN.
-template <class Arguments, class Error>
-double worst_of_calls(ShaderFunctions& shaders, const ShaderFunction& function, int count, std::uint64_t seed,
-                      Arguments&& arguments, Error&& error) {
-  std::vector<ShaderInput> calls;
-  for (int i = 0; i < count; ++i) {
-    Trial t(seed, i);
-    calls.push_back(arguments(t));
-  }
-  const std::vector<glm::vec4> found = shaders.evaluate(function, calls);
-  double worst = 0;
-  for (std::size_t i = 0; i < calls.size(); ++i) {
-    const double here = error(calls[i], Colour(found[i]));
-    if (!(here <= worst)) worst = std::isnan(here) ? double(INFINITY) : here;
-  }
-  return worst;
-}
 
 /// A row: 64 pixels with the colour of `call`, its first argument, one of which is NaN instead. The others come out as
 /// they do without it. `words` stand in front of its text.

@@ -56,7 +56,7 @@ void add_tone_rows(Table& table, ShaderFunctions& shaders) {
                 [=] { return error_of(exposed(1e30f * c, -100, curve)); });
     group.close(fmt::format("{}, 10000 random colours up to 65504, 10 stops either way, whites from 0.1 to 100", name),
                 exposure_bound(10), [=, &shaders] {
-                  return worst_of_calls(
+                  return worst_of_calls<Colour>(
                       shaders, function, 10'000, 860,
                       [=](Trial& t) {
                         const glm::vec3 light = some_light(t, 1e-3, double(largest_half));
