@@ -167,8 +167,9 @@ bool overlaps_in_plane(const glm::dmat4& to_other, const glm::dvec2& half_size, 
   return shared.x > rounding * largest && shared.y > rounding * largest;
 }
 
-/// No opening that can be seen from behind a portal's exit may cover a part of it in its plane: only rounding would
-/// decide whether it is seen by who comes out there.
+/// No opening that can be seen from behind another portal's exit may cover a part of it in its plane: only rounding
+/// would decide whether it is seen by who comes out there. (A portal's own may: then it leads straight on, and shows
+/// the same once more.)
 void check_exit_is_free(Context& context, const Scene& scene, const std::vector<glm::dmat4>& world,
                         const Portal& portal) {
   const auto half_size = [&](const Portal& p) {
@@ -180,7 +181,7 @@ void check_exit_is_free(Context& context, const Scene& scene, const std::vector<
     const glm::dmat4 to_exit_from_other = to_exit * world[std::size_t(other.node)];
     const bool faces_back = to_exit_from_other[2].z < 0;
     const bool two_sided = scene.materials[std::size_t(scene.nodes[std::size_t(other.node)].material)].two_sided;
-    if (other.node != exit && (faces_back || two_sided) &&
+    if (&other != &portal && other.node != exit && (faces_back || two_sided) &&
         overlaps_in_plane(to_exit_from_other, half_size(other), half_size(portal)))
       context.fail(fmt::format(
           "the opening of node {} ('{}') lies in the plane of the exit, node {} ('{}'), and covers a part of it "

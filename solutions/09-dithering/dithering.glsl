@@ -14,10 +14,11 @@ float threshold_of(float rank, float count) {
   // <<< student
 }
 
-// The number of the level, 0 .. levels - 1, that stands for a value at a threshold, which is above 0 and below 1. Of
-// the two levels next to the value it is the upper one if the value has come further on the way between them than the
-// threshold says; if they are equal, either. Values below 0 are taken as 0, above 1 as 1. Handout, section 2. Five
-// levels, 0.6: 0.4 of the way from level 2 to level 3. It is level 3 at a threshold of 0.3, and level 2 at 0.5.
+// The number of the level, 0 .. levels - 1, that stands for a value at a threshold, which is above 0 and below 1. A
+// level's own value becomes this level. Any other value is on the way from one level to the next: it becomes the upper
+// one if it has come further on this way, as a part of it, than the threshold says; if they are equal, either. Values
+// below 0 are taken as 0, above 1 as 1. Handout, section 2.
+// Five levels, 0.6: 0.4 of the way from level 2 to level 3. It is level 3 at a threshold of 0.3, and level 2 at 0.5.
 float level_of(float value, float threshold, float levels) {
   // >>> student: how far is it, in levels?
   return min(floor(clamp(value, 0.0, 1.0) * (levels - 1.0) + 1.0 - threshold), levels - 1.0);
@@ -32,9 +33,10 @@ float level_of(float value, float threshold, float levels) {
 
 // The place on a cube around the eye that is seen in a direction (of any length above 0). x and y run from -1 to 1
 // across the face and are proportional to the angle from its middle. z is the number of the face: 0 for +x, 1 -x, 2 +y,
-// 3 -y, 4 +z, 5 -z. x is along the axis after the face's own, y along the one after that, in the order x, y, z, x, y.
-// On an edge any of its faces is right. Handout, section 4. (2, 1, -0.5) is on face 0, at x = 0.5903 (26.57 of 45
-// degrees) and y = -0.3119.
+// 3 -y, 4 +z, 5 -z. x is along the axis after the face's own, y along the one after that, in the order x, y, z, x, y;
+// both grow with the direction's own component, on opposite faces alike. On an edge any of its faces is right. Handout,
+// section 4.
+// (2, 1, -0.5) is on face 0, at x = 0.5903 (26.57 of 45 degrees) and y = -0.3119.
 vec3 cube_place(vec3 direction) {
   // >>> student: the face, then two angles
   vec3 size = abs(direction);
@@ -49,8 +51,8 @@ vec3 cube_place(vec3 direction) {
 
 // Whether a line is drawn between two neighbouring pixels. They show the points a and b, where the surface has the unit
 // normals normal_a and normal_b; `nearest` is the distance from the eye to the nearer point, metres. There is a line
-// where the normals differ by more than 30 degrees, and also where neither point lies on the other's tangent plane, to
-// within 1 % of the distance. Handout, section 4.
+// where the normals differ by more than 30 degrees. There is also one where b is away from the tangent plane at a, and
+// a from the tangent plane at b, both by more than 1 % of the distance. Handout, section 4.
 bool edge_between(vec3 a, vec3 normal_a, vec3 b, vec3 normal_b, float nearest) {
   // >>> student: a bend, or a step
   bool bends = dot(normal_a, normal_b) < 0.86602540378;
@@ -67,9 +69,9 @@ bool edge_between(vec3 a, vec3 normal_a, vec3 b, vec3 normal_b, float nearest) {
 
 // (challenge) Which cells are mixed at a place where cells of `size` metres would look right. There are squares of 2^k
 // metres for each whole number k. x is the least k whose squares are larger than `size`. y, from 0 to 1, is how much of
-// the squares of twice that is mixed in: 0 where those of 2^k metres are twice as large as `size`, and growing evenly
-// with the logarithm of `size` until, at 1, they are just as large. At a power of two (k, 1) is as right as (k + 1, 0).
-// Handout, section 7.
+// the next larger squares is mixed in. At the least `size` for which k is the least, y is 0; it grows evenly with the
+// logarithm of `size`, towards 1 where squares of 2^k metres are no longer larger. At a power of two (k, 1) is as right
+// as (k + 1, 0). Handout, section 7.
 // At 0.3 m squares of 2^-1 m are the least: (-1, 0.263).
 vec2 octave_of(float size) {
   // >>> student: the logarithm, in two parts

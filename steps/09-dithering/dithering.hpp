@@ -52,13 +52,11 @@ struct Diffusion {
 /// A level for each value of a picture in rows of `width`. Pixels are visited row by row, from left to right (but see
 /// serpentine). Each takes the level next to its value plus the errors that it has received; what this sum has more
 /// than the level's value is its error, and goes to the neighbours by the kernel's shares. Shares of neighbours outside
-/// the picture go to those inside: all of these are multiplied by one factor, so that their sum is that of all shares.
-/// If none is inside, the error is lost. Half way between two levels either is right. Values below 0 count as 0, above
-/// 1 as 1, and what is not a number as 0. Handout, section 3.
-/// Throws std::invalid_argument if levels is not 2..256, width is below 1, or the last row is not full; no values give
-/// no levels.
-/// Twice 0.3 in a row, 2 levels, floyd_steinberg: level 0 with the error 0.3, all of which goes to the right; 0.6 is
-/// level 1.
+/// the picture go to those inside: all of these are multiplied by one factor, so that their sum is that of all shares
+/// (1, or 3/4 for Atkinson). If none is inside, the error is lost. Half way between two levels either is right. Values
+/// below 0 count as 0, above 1 as 1, and what is not a number as 0. Handout, section 3. Throws std::invalid_argument if
+/// levels is not 2..256, width is below 1, or the last row is not full; no values give no levels. Twice 0.3 in a row, 2
+/// levels, floyd_steinberg: level 0 with the error 0.3, all of which goes to the right; 0.6 is level 1.
 std::vector<std::uint8_t> diffused(std::span<const float> values, int width, const Diffusion& how);
 
 // Core 3, one bit for each pixel: `cube_place` and `edge_between` in dithering.glsl.
@@ -72,8 +70,9 @@ std::vector<std::uint8_t> diffused(std::span<const float> values, int width, con
 /// cell is the sum of exp(-d^2 / (2 * 1.5^2)) over all points, d being the distance to each in cells, 0 to its own. The
 /// tightest cluster is the cell with a point that has the greatest energy, the largest void the cell without one that
 /// has the least.
-/// 1. `first` are the cells (row * size + column) that have points at the beginning. As long as this changes anything,
-///    the point at the tightest cluster moves to the largest void, that of the pattern without this point.
+/// 1. `first` are the cells (row * size + column) that have points at the beginning. The point at the tightest cluster
+///    is taken away, and put at the largest void of the pattern without it; and so on, until this is the cell from
+///    which it was taken.
 /// 2. From the pattern of 1 on, points are taken away, the tightest cluster first. The last one has rank 0, the one
 ///    before it rank 1, and so on.
 /// 3. From the pattern of 1 on, points are added, the largest void first, until all cells have one. Their ranks go on
@@ -87,8 +86,9 @@ std::vector<int> blue_noise(int size, std::span<const int> first);
 /// no compression), two colours, rows. `bits` are the pixels in rows of `width`, from the top: 0 black, anything else
 /// white. In the file numbers begin with the least significant byte, rows run from the bottom up, the leftmost pixel is
 /// the most significant bit of its byte, and each row is filled with zeros to a multiple of 4 bytes. Colour 0 is black,
-/// 1 is white. Throws std::invalid_argument if width is below 1, there is no pixel, or the last row is not full.
-/// Handout, section 6.
+/// 1 is white. The numbers of pixels a metre, of bytes of the rows and of colours may be 0, which means that they are
+/// not told. Throws std::invalid_argument if width is below 1, there is no pixel, or the last row is not full. Handout,
+/// section 6.
 std::vector<std::uint8_t> bitmap_file(std::span<const std::uint8_t> bits, int width);
 
 // ---------------------------------------------------------------------------------------------------------------------

@@ -73,6 +73,12 @@ TEST_CASE("validate accepts portals and mirrors", "[scene]") {
        [](Scene& s) {
          add_back_to_back(s, {0, 0, -0.01f});
        }},
+      {"straight on",
+       [](Scene& s) {
+         add_back_to_back(s, {0, 0, 0});
+         s.portals.pop_back();
+         s.portals[0].exit = 3;
+       }},
       {"corners off by rounding",
        [](Scene& s) {
          move_corners(s, {1e-7f, -1e-7f, 0});
