@@ -31,13 +31,13 @@ Number number_in(std::string_view word) {
 }
 
 /// Three numbers, from the word `first` on.
-glm::vec3 colour_in(const std::vector<std::string_view>& words, std::size_t first) {
+[[maybe_unused]] glm::vec3 colour_in(const std::vector<std::string_view>& words, std::size_t first) {
   if (words.size() != first + 3) throw std::invalid_argument("three numbers are wanted");
   return {number_in<float>(words[first]), number_in<float>(words[first + 1]), number_in<float>(words[first + 2])};
 }
 
 /// What stands between the quotes, of which there are two.
-std::string title_in(std::string_view line) {
+[[maybe_unused]] std::string title_in(std::string_view line) {
   const std::size_t first = line.find('"'), last = line.rfind('"');
   if (first == last || line.find('"', first + 1) != last || words_of(line.substr(0, first)).size() != 1 ||
       !words_of(line.substr(last + 1)).empty())
@@ -45,7 +45,7 @@ std::string title_in(std::string_view line) {
   return std::string(line.substr(first + 1, last - first - 1));
 }
 
-std::string text_of(const glm::vec3& colour) {
+[[maybe_unused]] std::string text_of(const glm::vec3& colour) {
   std::string text;
   for (int i = 0; i < 3; ++i) {
     std::array<char, 32> digits{};
