@@ -28,6 +28,8 @@ TEST_CASE("dithering that is not asked for costs nothing", "[required][09-dither
   CHECK(passes({{"dither.levels", 4}}) == 0);
   CHECK(passes({{"dither.method", text("bayer")}}) == 1);
   CHECK(passes({{"dither.method", text("bayer")}, {"dither.grey", true}}) == 1);
+  CHECK(passes({{"dither.method", text("bayer")}, {"dither.held", text("world")}}) == 3);  // position and normal too
+  CHECK(passes({{"dither.method", text("rounded")}, {"dither.held", text("world")}}) == 1);
   CHECK(passes({{"dither.method", text("bayer")}, {"dither.lines", text("black")}}) == 4);  // position and normal too
   const auto textures = [&](std::map<std::string, SettingValue> settings) {
     return counts_at_rest(dither_step, teapot(std::move(settings))).at("texture_bytes") - plain.at("texture_bytes");

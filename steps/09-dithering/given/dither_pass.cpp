@@ -138,9 +138,10 @@ ChainPass DitherPass::shader_pass(const View& view) const {
   pass.structure = no_lights();
   if (linear_) pass.structure["LINEAR"] = "1";
   if (grey_) pass.structure["GREY"] = "1";
-  if (method_ != "rounded") pass.structure["PATTERN"] = "1";
-  if (held_ == "sphere") pass.structure["HELD_BY_SPHERE"] = "1";
-  if (held_ == "world") {
+  const bool has_pattern = method_ != "rounded";
+  if (has_pattern) pass.structure["PATTERN"] = "1";
+  if (has_pattern && held_ == "sphere") pass.structure["HELD_BY_SPHERE"] = "1";
+  if (has_pattern && held_ == "world") {
     pass.structure["HELD_BY_WORLD"] = "1";
     pass.reads = {"position", "normal"};
   }
