@@ -44,6 +44,12 @@ void take_settings(CommandLine& line, const StepDescription& description) {
   }
 }
 
+/// In the program's own format, if it has one for this file.
+void write_picture(const StepProgram& program, const std::filesystem::path& file, const Image& image,
+                   Encoding encoding) {
+  if (!program.write(file, image)) write_image(file, image, {.encoding = encoding});
+}
+
 /// Pictures from the oracle, without context and shaders.
 int trace(const StepIdentity& identity, const Implementations& implementations, CommandLine& line) {
   const auto program = load_step(identity, implementations);
@@ -55,7 +61,7 @@ int trace(const StepIdentity& identity, const Implementations& implementations, 
   take_settings(line, program->description());
   const Image image = trace_case(*program, line.picture, line.samples);
   const Encoding encoding = encoding_of(program->description(), line.picture.output);
-  if (!program->write(line.out, image)) write_image(line.out, image, {.encoding = encoding});
+  write_picture(*program, line.out, image, encoding);
   return exit_ok;
 }
 
@@ -81,12 +87,11 @@ int draw_headless(const StepIdentity& identity, const Implementations& implement
   const Image image = painter.paint(line.picture);  // loads the scene, whose camera is needed below
   const Camera camera = apply(line.picture.camera, program->camera());
   check_camera(line.picture.camera, camera);
-  if (line.record.empty()) {
-    if (!program->write(line.out, image)) write_image(line.out, image, {.encoding = encoding});
-  } else {
+  if (line.record.empty())
+    write_picture(*program, line.out, image, encoding);
+  else
     record(painter, line.picture, varied ? change_of_setting(*varied) : turn_of_camera(camera), encoding, line.record,
            line.frames);
-  }
   if (line.stats) std::fputs((line.json ? cost_as_json : cost_as_text)(painter.cost()).c_str(), stdout);
   return exit_ok;
 }

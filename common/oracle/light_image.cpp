@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "oracle/portal.hpp"
+#include "scene/opening.hpp"
 
 namespace atelier::oracle {
 

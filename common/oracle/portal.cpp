@@ -14,13 +14,6 @@ glm::dmat4 passage_of(const Portal& portal, const std::vector<glm::dmat4>& world
   return world[std::size_t(portal.exit.value_or(portal.node))] * turn * glm::inverse(world[std::size_t(portal.node)]);
 }
 
-glm::dvec2 half_size_of(const Scene& scene, const Portal& portal) {
-  glm::dvec2 half_size(0);
-  for (const Vertex& vertex : scene.meshes[std::size_t(*scene.nodes[std::size_t(portal.node)].mesh)].vertices)
-    half_size = glm::max(half_size, glm::abs(glm::dvec2(vertex.position)));
-  return half_size;
-}
-
 Portals::Portals(const Scene& scene) : by_node_(scene.nodes.size()) {
   if (scene.portals.empty()) return;
   const std::vector<glm::dmat4> world = world_matrices_exact(scene.nodes);

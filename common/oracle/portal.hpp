@@ -11,9 +11,6 @@ namespace atelier::oracle {
 /// From where a visitor is to where they come out, world space. `world`: the nodes' matrices.
 glm::dmat4 passage_of(const Portal& portal, const std::vector<glm::dmat4>& world);
 
-/// Half the sides of the rectangle around a portal's opening, metres.
-glm::dvec2 half_size_of(const Scene& scene, const Portal& portal);
-
 class Portals {
  public:
   /// Of a valid scene.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "scene/opening.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
@@ -144,13 +145,6 @@ void check_opening(const Context& context, const Mesh& mesh) {
                                axis == 0 ? 'x' : 'y', low[axis], high[axis]));
 }
 
-/// Half the sides of the rectangle around a portal's opening.
-glm::dvec2 half_size_of(const Mesh& mesh) {
-  glm::dvec2 half_size(0);
-  for (const Vertex& vertex : mesh.vertices) half_size = glm::max(half_size, glm::abs(glm::dvec2(vertex.position)));
-  return half_size;
-}
-
 /// Whether a rectangle about the origin of `frame` lies in the plane z = 0 of another, up to rounding, and covers a
 /// part of the rectangle about its origin. `to_other` is from the first frame to that of the other.
 bool overlaps_in_plane(const glm::dmat4& to_other, const glm::dvec2& half_size, const glm::dvec2& other_half_size) {
@@ -172,9 +166,6 @@ bool overlaps_in_plane(const glm::dmat4& to_other, const glm::dvec2& half_size, 
 /// the same once more.)
 void check_exit_is_free(Context& context, const Scene& scene, const std::vector<glm::dmat4>& world,
                         const Portal& portal) {
-  const auto half_size = [&](const Portal& p) {
-    return half_size_of(scene.meshes[std::size_t(*scene.nodes[std::size_t(p.node)].mesh)]);
-  };
   const int exit = portal.exit.value_or(portal.node);
   const glm::dmat4 to_exit = glm::inverse(world[std::size_t(exit)]);
   for (const Portal& other : scene.portals) {
@@ -182,7 +173,7 @@ void check_exit_is_free(Context& context, const Scene& scene, const std::vector<
     const bool faces_back = to_exit_from_other[2].z < 0;
     const bool two_sided = scene.materials[std::size_t(scene.nodes[std::size_t(other.node)].material)].two_sided;
     if (&other != &portal && other.node != exit && (faces_back || two_sided) &&
-        overlaps_in_plane(to_exit_from_other, half_size(other), half_size(portal)))
+        overlaps_in_plane(to_exit_from_other, half_size_of(scene, other), half_size_of(scene, portal)))
       context.fail(fmt::format(
           "the opening of node {} ('{}') lies in the plane of the exit, node {} ('{}'), and covers a part of it "
           "(allowed: a distance between them, as between the two sides of a door)",

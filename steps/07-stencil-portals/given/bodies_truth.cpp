@@ -7,6 +7,7 @@
 
 #include "07-stencil-portals/given/body_parts.hpp"
 #include "oracle/portal.hpp"
+#include "scene/opening.hpp"
 
 namespace atelier {
 
@@ -67,7 +68,7 @@ void split_bodies_exactly(Scene& scene) {
       const Material& material = scene.materials[std::size_t(scene.nodes[std::size_t(portal.node)].material)];
       const glm::dvec4 origin = world[std::size_t(body)][3];
       if (!material.two_sided && glm::dot(plane_of(world[std::size_t(portal.node)], false), origin) < 0) return false;
-      const glm::dvec2 half_size = oracle::half_size_of(scene, portal);
+      const glm::dvec2 half_size = half_size_of(scene, portal);
       const glm::dmat4 to_frame = glm::inverse(world[std::size_t(portal.node)]);
       return std::ranges::any_of(parts, [&](int part) {
         const Mesh& mesh = scene.meshes[std::size_t(*scene.nodes[std::size_t(part)].mesh)];

@@ -288,10 +288,10 @@ std::vector<ChainPass> PostChain::passes(const Scene&, const View& view) const {
 // ---- The scene's own light
 
 Need PostChain::need(const Scene&, const View& view, const Node&) const {
+  if (!dithers_ || view.output != "colour") return {};
   const bool stored_in_8_bits = passes_for(look_).empty() ? frame_has_8_bits_ : chain_has_8_bits_;
-  Need need{.wanted = dithers_ && stored_in_8_bits && view.output == "colour"};
-  if (need.wanted) need.structure = {{"DITHER", "0"}, {"STORED_IN_8_BITS", "1"}};
-  return need;
+  if (!stored_in_8_bits) return {};
+  return {.wanted = true, .structure = {{"DITHER", "0"}, {"STORED_IN_8_BITS", "1"}}};
 }
 
 std::map<Slot, SlotCode> PostChain::slots() const {

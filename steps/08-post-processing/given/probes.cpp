@@ -59,8 +59,8 @@ Numbers probe_full_screen(ProbeContext& context, const Arguments& in) {
   reset_state(gl);
   check_gl_error(gl, "draw_full_screen");
   const Image drawn = target.read_colour(gl);
-  return {double(std::ranges::count_if(drawn.pixels(), [](const Rgba& p) { return p.r == 1; })), double(bound != 0 && GLuint(bound) != before.id()),
-          double(vertices), double(left)};
+  return {double(std::ranges::count_if(drawn.pixels(), [](const Rgba& p) { return p.r == 1; })),
+          double(bound != 0 && GLuint(bound) != before.id()), double(vertices), double(left)};
 }
 
 /// Whether the triangle covers the whole picture, and whether its corners are counter-clockwise.

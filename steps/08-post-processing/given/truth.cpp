@@ -13,11 +13,11 @@
 
 namespace atelier {
 
-namespace {
-
 double luma_of(const glm::dvec3& c) {
   return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
 }
+
+namespace {
 
 glm::dvec3 rgb(const Rgba& p) {
   return {p.r, p.g, p.b};

@@ -9,4 +9,7 @@ namespace atelier {
 /// fused passes and dithering are ignored.
 SceneTruth post_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
+/// 0.2126 r + 0.7152 g + 0.0722 b.
+double luma_of(const glm::dvec3& c);
+
 }  // namespace atelier

@@ -1,7 +1,6 @@
 #include "09-dithering/given/ordered_bytes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstring>
 #include <vector>

@@ -23,10 +23,6 @@ glm::dvec3 rgb(const Rgba& p) {
   return {p.r, p.g, p.b};
 }
 
-double grey_of(const glm::dvec3& c) {
-  return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
-}
-
 // ---- The pattern
 
 /// Bayer's rank of a cell by its bits: from the coarsest bit of the rank to the finest, the coordinates' bits from the
@@ -152,7 +148,7 @@ Image with_lines(Image image, const Geometry& g, const Eye& eye, float grey) {
 
 void make_grey(Image& image) {
   for (Rgba& p : image.pixels()) {
-    const float grey = float(grey_of(rgb(p)));
+    const float grey = float(luma_of(rgb(p)));
     p = {grey, grey, grey, p.a};
   }
 }
