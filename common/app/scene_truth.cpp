@@ -20,6 +20,7 @@ Image trace_scene(SceneTruth truth, const TruthRequest& request, const StepDescr
       .output = oracle::output_named(truth.output.empty() ? request.output : truth.output),
       .samples = request.samples,
       .shading = truth.shading,
+      .lens = truth.lens,
       .progress = request.progress,
   };
   if (lists(description, "depth.format")) wanted.reversed_depth = settings.choice("depth.format") == "32f-reversed";

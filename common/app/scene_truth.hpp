@@ -18,6 +18,7 @@ struct SceneTruth {
   std::vector<oracle::Shape> shapes;   ///< the part that triangles only approximate
   oracle::Shading shading;             ///< shading of surfaces
   std::string output;                  ///< the oracle's output, if its name differs; empty: the requested one
+  oracle::Lens lens = {};              ///< if set, replaces the projection of the camera
   std::function<Image(Image)> finish;  ///< if set, applied to the traced picture: for example an encoding
 };
 

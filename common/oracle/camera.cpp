@@ -22,6 +22,10 @@ Ray CameraRays::through(const glm::dvec2& pixel) const {
   return {eye_, frame_.ahead + aside, near_, far_};
 }
 
+Ray CameraRays::along(const glm::dvec3& direction) const {
+  return {eye_, direction.x * frame_.right + direction.y * frame_.up - direction.z * frame_.ahead, near_, far_};
+}
+
 double CameraRays::depth(double z, bool reversed) const {
   if (orthographic_) return (reversed ? far_ - z : z - near_) / (far_ - near_);
   if (reversed) return std::isinf(far_) ? near_ / z : near_ * (far_ - z) / (z * (far_ - near_));

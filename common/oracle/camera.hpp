@@ -20,6 +20,10 @@ class CameraRays {
   /// the far plane.
   Ray through(const glm::dvec2& pixel) const;
 
+  /// The ray from the eye in a direction of view space: x right, y up, -z ahead. t is the distance along the axis for
+  /// directions whose z is -1.
+  Ray along(const glm::dvec3& direction) const;
+
   /// The depth that OpenGL stores at distance z along the axis: 0 at the near plane, 1 at the far plane;
   ///   perspective    f (z - n) / (z (f - n))        reversed:  n (f - z) / (z (f - n))
   ///   orthographic   (z - n) / (f - n)              reversed:  (f - z) / (f - n)

@@ -96,8 +96,13 @@ void trace_row(const World& world, const Portals& portals, const CameraRays& cam
   for (int x = 0; x < image.width(); ++x) {
     glm::dvec3 sum(0);
     for (int row = 0; row < n; ++row)
-      for (int column = 0; column < n; ++column)
-        sum += sample(world, portals, camera, request, camera.through({x + (column + 0.5) / n, y + (row + 0.5) / n}));
+      for (int column = 0; column < n; ++column) {
+        const glm::dvec2 place(x + (column + 0.5) / n, y + (row + 0.5) / n);
+        if (!request.lens)
+          sum += sample(world, portals, camera, request, camera.through(place));
+        else if (const auto direction = request.lens(place / glm::dvec2(request.size)))
+          sum += sample(world, portals, camera, request, camera.along(glm::normalize(*direction)));
+      }
     const glm::vec3 mean(sum / double(n * n));
     image.at(x, y) = {mean.r, mean.g, mean.b, 1};
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,17 @@ std::vector<std::string> output_names();
 /// Throws Error naming the existing outputs for an unknown name.
 Output output_named(const std::string& name);
 
+/// What a lens shows at a place of the picture, (0, 0) its upper left corner and (1, 1) the lower right one: the
+/// direction in view space (x right, y up, -z ahead; any length), or none: black.
+using Lens = std::function<std::optional<glm::dvec3>(const glm::dvec2& place)>;
+
 struct PictureRequest {
   Camera camera;
   glm::ivec2 size{256, 256};  ///< pixels, 1..Image::max_side per side
   Output output = Output::colour;
   int samples = 1;  ///< n x n per pixel on a regular grid, 1..64, averaged; 1: the pixel's centre, as in OpenGL
   Shading shading;
+  Lens lens = {};                        ///< if set, replaces the projection of the camera
   bool reversed_depth = false;           ///< of Output::depth
   glm::dvec3 position_origin{0};         ///< of Output::position: for scenes far from the world's origin
   int threads = 0;                       ///< 0: one per CPU core. The picture is bit-identical for any number

@@ -29,6 +29,9 @@ struct ChainPass {
   std::vector<std::string> reads;  ///< additional outputs of the view ("depth", "normal"), drawn only if listed;
                                    ///< "colour" is the scene before the first pass
   bool identity = false;           ///< changes no pixel, so it is skipped
+  bool begins = false;             ///< a shader that takes the scene's place: reads neither u_picture nor "colour", so
+                                   ///< that the scene and the passes before it are not drawn
+  bool smooth = false;             ///< u_picture is filtered linearly, not by its nearest texel
 
   // For a shader: GLSL `vec4 f(vec2 texcoord)`, called for each pixel; (0,0) is the picture's lower left corner. It may
   // read u_picture, the result of the previous pass; u_NAME for each of `reads`; u_size, pixels (vec2).

@@ -64,12 +64,14 @@ std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::s
   if (last == passes.end() && output != "colour") return {};
   if (last != passes.end()) passes.erase(last + 1, passes.end());
   std::erase_if(passes, &ChainPass::identity);
+  const auto begin = std::find_if(passes.rbegin(), passes.rend(), [](const ChainPass& pass) { return pass.begins; });
+  if (begin != passes.rend()) passes.erase(passes.begin(), begin.base() - 1);
   return passes;
 }
 
 /// The textures that passes read and the targets that they draw into.
 struct ChainRunner::Pictures {
-  std::shared_ptr<const Target> scene;
+  std::shared_ptr<const Target> scene;                          ///< or what a pass that begins a picture has made
   TargetSpec turn;                                              ///< of the two alternating targets
   std::array<std::shared_ptr<const Target>, 2> turns;           ///< created when needed
   std::map<std::string, std::shared_ptr<const Target>> inputs;  ///< by the name of the output
@@ -79,13 +81,17 @@ ChainRunner::Pictures ChainRunner::draw_scene(const std::vector<ChainPass>& pass
                                               const Target& target, const DrawOutput& draw) {
   TargetSpec spec = target.spec();
   spec.colour = format;
-  Pictures pictures{.scene = pool_.take(spec)};
-  pictures.inputs["colour"] = pictures.scene;
-  draw("colour", *pictures.scene);
-  pictures.scene->resolve(gl_);
-  spec.depth = DepthFormat::none;
+  const bool drawn = !passes.front().begins;
+  TargetSpec turn = spec;
+  turn.depth = DepthFormat::none;
+  turn.samples = 1;
+  Pictures pictures{.turn = turn};
+  if (drawn || passes.size() > 1) pictures.inputs["colour"] = pictures.scene = pool_.take(drawn ? spec : turn);
+  if (drawn) {
+    draw("colour", *pictures.scene);
+    pictures.scene->resolve(gl_);
+  }
   spec.samples = 1;
-  pictures.turn = spec;
   spec.colour = ColourFormat::rgba32f;
   spec.depth = target.spec().depth;
   for (const ChainPass& pass : passes)
@@ -104,7 +110,17 @@ int ChainRunner::next_target(int source) const {
   return next;
 }
 
-void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, const Target& source,
+namespace {
+
+/// How the texture that is bound to the active unit is filtered.
+void set_filter(Gl& gl, bool smooth) {
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, smooth ? GL_LINEAR : GL_NEAREST);
+}
+
+}  // namespace
+
+void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, const Target* source,
                              const Target& target) {
   Defines structure = pass.structure;
   if (stores_8_bits(target.spec().colour)) structure["STORED_IN_8_BITS"] = "1";
@@ -113,12 +129,19 @@ void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, co
   target.bind(gl_);
   gl_.UseProgram(program.program.id());
   Binder binder(gl_, program.uniforms);
-  binder.texture("u_picture", source.colour_texture());
+  if (source) {
+    binder.texture("u_picture", source->colour_texture());
+    if (pass.smooth) set_filter(gl_, true);
+  }
   binder.set("u_size", glm::vec2(target.spec().width, target.spec().height));
   for (const std::string& output : pass.reads)
     binder.texture("u_" + output, pictures.inputs.at(output)->colour_texture());
   if (pass.bind) pass.bind(binder);
   functions_.draw_full_screen(gl_);
+  if (source && pass.smooth) {
+    gl_.BindTexture(GL_TEXTURE_2D, source->colour_texture());
+    set_filter(gl_, false);
+  }
   check_gl_error(gl_, ("running the pass " + pass.name).c_str());
 }
 
@@ -148,22 +171,26 @@ void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, 
   std::vector<ChainPass> passes = given;
   if (on_cpu(passes.back())) passes.push_back(copy_pass());
   Pictures pictures = draw_scene(passes, format, target, draw);
-  const Target* source = pictures.scene.get();
+  const Target* source = passes.front().begins ? nullptr : pictures.scene.get();
   int at = -1;
   for (const ChainPass& pass : passes) {
-    const bool last = &pass == &passes.back();
-    if (!last) {
-      at = next_target(at);
-      auto& turn = pictures.turns[std::size_t(at)];
-      if (!turn) turn = pool_.take(pictures.turn);
+    const Target* next = &target;
+    if (&pass != &passes.back()) {
+      if (pass.begins) {
+        next = pictures.scene.get();
+      } else {
+        at = next_target(at);
+        auto& turn = pictures.turns[std::size_t(at)];
+        if (!turn) turn = pool_.take(pictures.turn);
+        next = turn.get();
+      }
     }
-    const Target& next = last ? target : *pictures.turns[std::size_t(at)];
     const DebugGroup group(gl_, "pass: " + pass.name);
     if (on_cpu(pass))
-      run_on_cpu(pass, pictures, *source, next);
+      run_on_cpu(pass, pictures, *source, *next);
     else
-      run_shader(pass, pictures, *source, next);
-    source = &next;
+      run_shader(pass, pictures, source, *next);
+    source = next;
   }
 }
 

@@ -12,7 +12,7 @@
 namespace atelier {
 
 /// The passes that must run for an output: those up to the pass of this name, or all for "colour"; without identity
-/// passes. None for any other output.
+/// passes, and from the last one that begins a picture. None for any other output.
 std::vector<ChainPass> passes_to_run(std::vector<ChainPass> passes, const std::string& output);
 
 /// Whether the chain has a pass of this name.
@@ -37,7 +37,7 @@ class ChainRunner {
   Pictures draw_scene(const std::vector<ChainPass>& passes, ColourFormat format, const Target& target,
                       const DrawOutput& draw);
   int next_target(int source) const;
-  void run_shader(const ChainPass& pass, const Pictures& pictures, const Target& source, const Target& target);
+  void run_shader(const ChainPass& pass, const Pictures& pictures, const Target* source, const Target& target);
   void run_on_cpu(const ChainPass& pass, const Pictures& pictures, const Target& source, const Target& target);
 
   Gl& gl_;

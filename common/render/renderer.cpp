@@ -326,7 +326,7 @@ std::vector<ChainPass> Renderer::passes(const View& view) const {
 }
 
 void Renderer::draw_with_chain(const View& view, const Target& target) {
-  const std::vector<ChainPass> all = passes(view);
+  const std::vector<ChainPass> all = view.passes ? passes(view) : std::vector<ChainPass>{};
   const auto draw = [&](const std::string& output, const Target& into) {
     View drawn = view;
     drawn.output = output;

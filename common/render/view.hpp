@@ -16,6 +16,7 @@ struct View {
   bool wireframe = false;         ///< edges only
   bool camera_relative = false;   ///< the world is moved so that the eye is its origin, in double precision
   bool cull = false;              ///< skip nodes whose boxes are outside the view
+  bool passes = true;             ///< whether post-processing follows
   bool reversed_depth = false;    ///< depth 1 at the near plane; needs clip control and a float depth buffer
 
   // If set, they replace the camera's matrices: for the virtual camera of a portal or a mirror. In the shaders' world

@@ -3,32 +3,14 @@
 #include <array>
 
 #include "03-shadow-mapping/given/scenes.hpp"
-#include "09-dithering/given/card.hpp"
 #include "scene/builder.hpp"
 #include "scene/builtin.hpp"
+#include "scene/card.hpp"
 #include "scene/shapes.hpp"
-#include "scene/textures.hpp"
 
 namespace atelier {
 
 namespace {
-
-/// A picture of exact codes that fills the view, one texel a pixel in pictures of its size.
-Scene card() {
-  Scene scene{.name = "card"};
-  scene.ambient = glm::vec3(1);
-  const int picture = add_texture(scene, "picture", make_card(), Filter::nearest, Wrap::clamp_to_edge);
-  const int material = add_material(scene, {.name = "card", .diffuse = glm::vec3(1), .diffuse_texture = picture});
-  const float width = float(card_size.x) / float(card_size.y);
-  add_object(scene, make_plane({.width = width, .depth = 1}), material, upright({.name = "card"}, 0));
-  scene.camera = {.eye = {0, 0, 1},
-                  .target = {0, 0, 0},
-                  .projection = Projection::orthographic,
-                  .height = 1,
-                  .near = 0.1f,
-                  .far = 2};
-  return scene;
-}
 
 /// The deck of a ship under a low sun: planks, mast, barrels, crates, a rail, and the sea.
 Scene deck() {
@@ -84,7 +66,7 @@ const SceneTable& dither_scenes() {
   static const SceneTable scenes = {
       {"teapot", [](const Settings&) { return make_teapot_scene(); }},
       {"deck", [](const Settings&) { return deck(); }},
-      {"card", [](const Settings&) { return card(); }},
+      {"card", [](const Settings&) { return make_card_scene(); }},
       builtin_scene("room"),
   };
   return scenes;

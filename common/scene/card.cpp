@@ -1,9 +1,11 @@
-#include "09-dithering/given/card.hpp"
+#include "scene/card.hpp"
 
 #include <algorithm>
 #include <cstdint>
 
 #include "image/colour.hpp"
+#include "scene/builder.hpp"
+#include "scene/shapes.hpp"
 
 namespace atelier {
 
@@ -63,6 +65,22 @@ Image make_card() {
       card.at(x, y) = {light(0), light(1), light(2), 1};
     }
   return card;
+}
+
+Scene make_card_scene() {
+  Scene scene{.name = "card"};
+  scene.ambient = glm::vec3(1);
+  const int picture = add_texture(scene, "picture", make_card(), Filter::nearest, Wrap::clamp_to_edge);
+  const int material = add_material(scene, {.name = "card", .diffuse = glm::vec3(1), .diffuse_texture = picture});
+  const float width = float(card_size.x) / float(card_size.y);
+  add_object(scene, make_plane({.width = width, .depth = 1}), material, upright({.name = "card"}, 0));
+  scene.camera = {.eye = {0, 0, 1},
+                  .target = {0, 0, 0},
+                  .projection = Projection::orthographic,
+                  .height = 1,
+                  .near = 0.1f,
+                  .far = 2};
+  return scene;
 }
 
 }  // namespace atelier
