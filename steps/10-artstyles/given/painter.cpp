@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "10-artstyles/given/fast_stroke.hpp"
 #include "10-artstyles/given/random.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
@@ -24,6 +25,12 @@ Greys greys_of(const Picture& picture) {
   for (const glm::u8vec4& p : picture.pixels)  // the weights of Rec. 709, in 256ths
     greys.values.push_back(std::uint8_t((54 * p.r + 183 * p.g + 19 * p.b + 128) / 256));
   return greys;
+}
+
+StrokeFunctions fast_strokes() {
+  StrokeFunctions functions = student_strokes();
+  functions.paint = paint_stroke_fast;
+  return functions;
 }
 
 namespace {
@@ -70,6 +77,8 @@ void in_parts(std::size_t count, int threads, const Task& task) {
   for_each_parallel(parts, threads,
                     [&](std::size_t part) { task(count * part / parts, count * (part + 1) / parts); });
 }
+
+constexpr int band_rows = 64;
 
 struct Painter {
   const Picture& picture;
@@ -120,18 +129,29 @@ struct Painter {
     return all;
   }
 
+  /// Those that reach into each band of rows.
+  std::vector<std::vector<const Stroke*>> by_band(const std::vector<Stroke>& all) const {
+    std::vector<std::vector<const Stroke*>> bands(std::size_t((picture.height + band_rows - 1) / band_rows));
+    for (const Stroke& stroke : all) {
+      const int top = std::max(std::min(stroke.from.y, stroke.to.y) - stroke.radius, 0);
+      const int bottom = std::min(std::max(stroke.from.y, stroke.to.y) + stroke.radius, picture.height - 1);
+      for (int band = top / band_rows; band <= bottom / band_rows; ++band) bands[std::size_t(band)].push_back(&stroke);
+    }
+    return bands;
+  }
+
   Picture paint() const {
     Picture canvas = picture;
     const std::uint32_t seed = seed_of(picture);
     for (int i = 0; i < how.iterations; ++i) {
       const std::vector<Stroke> all = strokes(random_numbers(seed, i, -1).x);
-      // Each thread paints its own rows of all strokes: their order is the same for every pixel.
-      in_parts(std::size_t(picture.height), how.threads, [&](std::size_t first, std::size_t end) {
-        const Rows rows{int(first), int(end)};
-        for (const Stroke& stroke : all)
-          if (std::max(stroke.from.y, stroke.to.y) + stroke.radius >= rows.first &&
-              std::min(stroke.from.y, stroke.to.y) - stroke.radius < rows.end)
-            functions.paint(canvas, stroke, rows, parts);
+      // A band of rows after another, by whichever thread is free: the order of strokes is the same for every pixel, and
+      // a band stays in the cache while all its strokes are painted.
+      const std::vector<std::vector<const Stroke*>> bands = by_band(all);
+      for_each_parallel(bands.size(), how.threads, [&](std::size_t band) {
+        const int first = int(band) * band_rows;
+        const Rows rows{first, std::min(first + band_rows, picture.height)};
+        for (const Stroke* stroke : bands[band]) functions.paint(canvas, *stroke, rows, parts);
       });
     }
     return canvas;

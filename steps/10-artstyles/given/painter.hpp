@@ -7,15 +7,15 @@
 
 namespace atelier {
 
-/// How a picture is painted.
+/// How a picture is painted. The defaults are those of the settings.
 struct Painting {
   int iterations = 15;
-  int grid = 8;  ///< pixels, about: the cells of each iteration are 3/4 to 5/4 as large
-  artstyles::Brush brush;
-  double length = 2;      ///< of the line of a stroke, in radii
+  int grid = 10; ///< pixels, about: the cells of each iteration are 3/4 to 5/4 as large
+  artstyles::Brush brush{.smallest = 1, .largest = 6, .reach = 4, .full = 0.4f};
+  double length = 3;      ///< of the line of a stroke, in radii
   int opacity = 200;      ///< 0..255
   bool confined = false;  ///< strokes stay within the borders of their region
-  int border = 120;       ///< the magnitude of Sobel's gradient above which a pixel is a border, codes
+  int border = 150;       ///< the magnitude of Sobel's gradient above which a pixel is a border, codes
   int threads = 1;        ///< changes no pixel
 };
 
@@ -27,6 +27,7 @@ struct StrokeFunctions {
   std::function<std::vector<int>(const artstyles::Greys&, int threshold)> regions;
 };
 StrokeFunctions student_strokes();
+StrokeFunctions fast_strokes();  ///< the student's, but for paint_stroke
 
 /// The luma of the codes, rounded.
 artstyles::Greys greys_of(const artstyles::Picture& picture);

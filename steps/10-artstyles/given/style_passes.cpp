@@ -25,7 +25,7 @@ std::vector<SettingSpec> style_settings() {
        .choices = styles,
        .help = "a style of what the first one has made"},
       {.name = "paint.iterations", .fallback = 15, .low = 1, .high = 30, .help = "grids of strokes"},
-      {.name = "paint.grid", .fallback = 8, .low = 2, .high = 64, .help = "pixels: the cells of the grids, about"},
+      {.name = "paint.grid", .fallback = 10, .low = 2, .high = 64, .help = "pixels: the cells of the grids, about"},
       {.name = "paint.smallest", .fallback = 1, .low = 0, .high = 64, .help = "pixels: the radius of the finest brush"},
       {.name = "paint.largest", .fallback = 6, .low = 0, .high = 64, .help = "pixels: the radius of the broadest brush"},
       {.name = "paint.reach",
@@ -46,6 +46,7 @@ std::vector<SettingSpec> style_settings() {
        .low = 0,
        .high = 1140,
        .help = "codes: the strength of an edge above which it is a border"},
+      {.name = "paint.fast", .fallback = false, .help = "paint many pixels at a time; changes no pixel"},
       {.name = "paint.threads", .fallback = 2, .low = 1, .high = 8, .help = "that paint; changes no pixel"},
       {.name = "toon.outlines",
        .fallback = std::string("colour"),
@@ -240,6 +241,7 @@ void StylePasses::configure(const Settings& settings) {
   amount_ = float(settings.real("aberration.amount"));
   turns_ = float(settings.real("aberration.turns"));
   painting_ = painting_of(settings);
+  fast_ = settings.flag("paint.fast");
 }
 
 /// A pass that may look through the lens.
@@ -292,7 +294,7 @@ ChainPass StylePasses::painterly_pass(const char* name) const {
   pass.on_bytes = [this](ByteImage& picture, const PassInputs&) {
     artstyles::Picture source{picture.width, picture.height, std::vector<glm::u8vec4>(picture.rgba.size() / 4)};
     std::memcpy(source.pixels.data(), picture.rgba.data(), picture.rgba.size());
-    const artstyles::Picture result = painted(source, painting_, student_strokes());
+    const artstyles::Picture result = painted(source, painting_, fast_ ? fast_strokes() : student_strokes());
     if (result.pixels.size() != source.pixels.size())
       throw Error(fmt::format("paint_stroke has changed the number of pixels from {} to {}", source.pixels.size(),
                               result.pixels.size()));

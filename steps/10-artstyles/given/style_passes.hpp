@@ -56,7 +56,8 @@ class StylePasses : public Feature {
   ChainPass relief_pass(const View& view) const;
 
   Styles styles_{};
-  bool cube_ = false, equidistant_ = false, restored_ = false, colour_edges_ = false, surface_edges_ = false;
+  bool cube_ = false, equidistant_ = false, restored_ = false, colour_edges_ = false, surface_edges_ = false,
+       fast_ = false;
   float low_ = 0, high_ = 1, half_angle_ = 1, strength_ = 0, power_ = 2, amount_ = 0, turns_ = 0;
   Painting painting_;
 };
