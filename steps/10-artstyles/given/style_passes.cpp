@@ -337,11 +337,6 @@ ChainPass StylePasses::relief_pass(const View& view) const {
 
 std::vector<ChainPass> StylePasses::passes(const Scene&, const View& view) const {
   if (view.output == "relief") return {relief_pass(view)};
-  if (view.output == "edges") {
-    ChainPass edges = shader_pass("edges", "edges_pass", view);
-    edges.smooth = false;
-    return {edges};
-  }
   if (view.output == "steps") {
     ChainPass steps = shader_pass("steps", "steps_pass", view);
     read_surfaces(steps, view, false);
@@ -351,6 +346,10 @@ std::vector<ChainPass> StylePasses::passes(const Scene&, const View& view) const
   std::vector<ChainPass> all = {style_pass(0, "first", view), style_pass(1, "second", view)};
   if (restored_ && std::ranges::count(styles_, Style::fisheye) > 0)
     all.push_back(shader_pass("restored", "restored_pass", view));
+  if (view.output == "edges") {
+    all.push_back(shader_pass("edges", "edges_pass", view));
+    all.back().smooth = false;
+  }
   return all;
 }
 

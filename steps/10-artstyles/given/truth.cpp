@@ -333,10 +333,6 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
       const Geometry g = surfaces(false);
       return drawn(size_of(image), [&](int x, int y) { return glm::dvec3(g.steps(x, y), 0); });
     }
-    if (wanted == "edges") {
-      const Image shown = std::move(image);
-      return drawn(size_of(shown), [&](int x, int y) { return glm::dvec3(edge_at(shown, x, y) / std::sqrt(20.0)); });
-    }
     for (std::size_t i = 0; i < styles.size(); ++i) {
       if (styles[i] == Style::painterly) image = painted(image, settings);
       if (styles[i] == Style::aberration) image = aberrated(image, settings);
@@ -348,8 +344,10 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
       }
       if (i == 0 && wanted == "first") return image;
     }
-    if (wanted == "second" || !restores || std::ranges::count(styles, Style::fisheye) == 0) return image;
-    return restored(image, lens);
+    const bool had_lens = std::ranges::count(styles, Style::fisheye) > 0;
+    if (wanted != "second" && restores && had_lens) image = restored(image, lens);
+    if (wanted != "edges") return image;
+    return drawn(size_of(image), [&](int x, int y) { return glm::dvec3(edge_at(image, x, y) / std::sqrt(20.0)); });
   };
   return truth;
 }

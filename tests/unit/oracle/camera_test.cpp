@@ -83,6 +83,38 @@ TEST_CASE("nothing before the near plane or behind the far plane is seen", "[cam
   CHECK_FALSE(sees());
 }
 
+TEST_CASE("a ray along a direction of view space is that of the pixel which shows it", "[camera]") {
+  const Camera camera{.eye = {1, 2, 3}, .target = {4, -1, 2}, .up = {0.2f, 1, 0}, .fov_y = 1.2f};
+  const glm::ivec2 size(40, 30);
+  const CameraRays rays(camera, size);
+  const double above = std::tan(double(camera.fov_y) / 2);
+  for (const glm::dvec2 pixel : {glm::dvec2(0, 0), glm::dvec2(20, 15), glm::dvec2(33.5, 7.25)}) {
+    const glm::dvec3 direction((2 * pixel.x - size.x) / size.y * above, (size.y - 2 * pixel.y) / size.y * above, -1);
+    CHECK(glm::length(rays.along(direction).direction - rays.through(pixel).direction) < 1e-14);
+  }
+  CHECK(glm::dot(rays.along({0, 0, 1}).direction, camera.target - camera.eye) < 0);  // behind the eye
+}
+
+TEST_CASE("a lens replaces the projection", "[camera]") {
+  Scene scene = dark_scene();
+  scene.background = glm::vec3(0.5f);
+  scene.ambient = glm::vec3(1);
+  add_object(scene, make_plane({.width = 100, .depth = 100}), 0);
+  const oracle::World world(scene);
+  oracle::PictureRequest request{.camera = {.eye = {0, 2, 0}, .target = {0, 2, -1}, .near = 0.1f, .far = 1000},
+                                 .size = {4, 4},
+                                 .output = oracle::Output::position};
+  // Each place looks straight down, but the left half sees nothing.
+  request.lens = [](const glm::dvec2& place) {
+    return place.x < 0.5 ? std::optional<glm::dvec3>() : glm::dvec3(0, -3, 0);
+  };
+  const Image positions = oracle::trace(world, request);
+  CHECK(positions.at(0, 1) == Rgba{0, 0, 0, 1});
+  CHECK(std::abs(positions.at(3, 1).g) < 1e-6f);
+  request.output = oracle::Output::colour;
+  CHECK(oracle::trace(world, request).at(0, 1) == Rgba{0, 0, 0, 1});  // not the background
+}
+
 TEST_CASE("a camera that looks along its up vector uses the axis of the contract", "[camera]") {
   const struct {
     const char* name;

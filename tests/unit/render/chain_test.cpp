@@ -116,6 +116,49 @@ TEST_CASE("a pass can read the scene before the first pass, and no other pass", 
   CHECK(mentions(error_of([&] { stage.middle(); }), {"halved", "this scene offers"}));
 }
 
+TEST_CASE("a pass that begins a picture takes the place of the scene and of the passes before it", "[chain]") {
+  ChainStage stage;
+  const auto passes = [&] {
+    stage.draw(triangle_scene());
+    stage.gl().restart_counts();
+    stage.draw_again({.camera = triangle_scene().camera});
+    return stage.gl().counts().passes;
+  };
+  stage.shaders.write("00-fake/begin.glsl", "vec4 begin(vec2 texcoord) { return vec4(0.25, 0.5, 0.75, 1.0); }\n");
+  ChainPass begin{.name = "begin", .begins = true, .code = {"00-fake/begin.glsl", "begin"}};
+  const ChainPass halved = shader_pass(stage.shaders, "halved", "vec4(c.rgb * 0.5, 1.0)");
+  ChainPass sum = shader_pass(stage.shaders, "sum", "vec4(c.rgb + texture(u_colour, texcoord).rgb, 1.0)");
+  sum.reads = {"colour"};
+  stage.piece->chain = {halved, begin};
+  CHECK(stage.middle() == Rgba{0.25f, 0.5f, 0.75f, 1});
+  CHECK(passes() == 1);
+  stage.piece->chain = {halved, begin, halved, sum};  // "colour" is what has begun
+  CHECK(stage.middle() == Rgba{0.375f, 0.75f, 1.125f, 1});
+  CHECK(passes() == 3);
+  CHECK(stage.middle("begin") == Rgba{0.25f, 0.5f, 0.75f, 1});
+}
+
+TEST_CASE("a pass reads the nearest texel, or filters linearly", "[chain]") {
+  ChainStage stage;
+  // Half a pixel to the right of this one.
+  stage.shaders.write("00-fake/aside.glsl",
+                      "vec4 aside(vec2 texcoord) { return texture(u_picture, texcoord + vec2(0.4 / u_size.x, 0.0)); }\n");
+  ChainPass aside{.name = "aside", .code = {"00-fake/aside.glsl", "aside"}};
+  const auto mixed = [&] {
+    const Scene scene = triangle_scene();
+    int count = 0;
+    for (const Rgba& pixel : stage.draw(scene).pixels()) count += pixel != grey && pixel != dark_blue;
+    return count;
+  };
+  const int plain = mixed();
+  stage.piece->chain = {aside};
+  CHECK(mixed() == plain);
+  stage.piece->chain[0].smooth = true;
+  CHECK(mixed() > plain + 5);  // along the edges
+  stage.piece->chain[0].smooth = false;
+  CHECK(mixed() == plain);  // the target's filter is what it was
+}
+
 TEST_CASE("a chain can read from and write to a multisampled target", "[chain]") {
   ChainStage stage;
   stage.spec.samples = 4;
