@@ -163,9 +163,9 @@ constexpr std::array<Face, 6> faces = {{{{1, 0, 0}, {0, -1, 0}},
 
 /// Whether a cone around -z sees something of a face: its nearest point is in the middle of the face ahead, 45 degrees
 /// from the axis on those at the sides, and at the corners of the one behind.
-bool sees_face(std::size_t face, float half_angle) {
+bool sees_face(std::size_t face, double half_angle) {
   const double corner = std::numbers::pi - std::atan(std::numbers::sqrt2);
-  return face == 5 || double(half_angle) > (face == 4 ? corner : std::numbers::pi / 4);
+  return face == 5 || half_angle > (face == 4 ? corner : std::numbers::pi / 4);
 }
 
 ChainPass lens_pass(const char* name, const char* function) {
@@ -180,7 +180,7 @@ ChainPass lens_pass(const char* name, const char* function) {
 void CubeOfViews::configure(const Settings& settings) {
   wanted_ = begins_with_cube(settings);
   all_faces_ = settings.choice("fisheye.faces") == "all";
-  half_angle_ = float(glm::radians(settings.real("fisheye.angle") / 2));
+  half_angle_ = glm::radians(settings.real("fisheye.angle") / 2);
   edge_ = settings.integer("fisheye.edge");
 }
 
@@ -215,7 +215,7 @@ std::vector<ChainPass> CubeOfViews::passes(const Scene&, const View&) const {
   pass.structure["CUBE"] = "1";
   pass.structure["EQUIDISTANT"] = "1";
   pass.bind = [this](Binder& binder) {
-    binder.set("u_half_angle", half_angle_);
+    binder.set("u_half_angle", float(half_angle_));
     binder.texture("u_cube", cube_->texture(), GL_TEXTURE_CUBE_MAP);
   };
   return {pass};

@@ -36,7 +36,7 @@ class CubeOfViews : public Feature {
 
  private:
   bool wanted_ = false, all_faces_ = false;
-  float half_angle_ = 1;
+  double half_angle_ = 1;  ///< radians
   int edge_ = 256;
   std::shared_ptr<const CubeTarget> cube_;
 };
