@@ -18,15 +18,14 @@
 // A step from black to white between two columns gives 4 on both sides of it.
 float edge_strength(sampler2D picture, vec2 texcoord, vec2 pixel) {
   // >>> student: eight neighbours
-  vec3 right = vec3(0.0), up = vec3(0.0);
-  for (int y = -1; y <= 1; ++y)
-    for (int x = -1; x <= 1; ++x) {
-      if (x == 0 && y == 0) continue;
-      vec3 c = shown(texture(picture, texcoord + vec2(x, y) * pixel).rgb);
-      right += float(x * (2 - abs(y))) * c;
-      up += float(y * (2 - abs(x))) * c;
-    }
-  vec3 squares = right * right + up * up;
+  vec2 x = vec2(pixel.x, 0.0), y = vec2(0.0, pixel.y);
+  vec3 upper_left = shown(texture(picture, texcoord - x + y).rgb), above = shown(texture(picture, texcoord + y).rgb);
+  vec3 upper_right = shown(texture(picture, texcoord + x + y).rgb), left = shown(texture(picture, texcoord - x).rgb);
+  vec3 right = shown(texture(picture, texcoord + x).rgb), lower_left = shown(texture(picture, texcoord - x - y).rgb);
+  vec3 below = shown(texture(picture, texcoord - y).rgb), lower_right = shown(texture(picture, texcoord + x - y).rgb);
+  vec3 across = upper_right + 2.0 * right + lower_right - upper_left - 2.0 * left - lower_left;
+  vec3 up = upper_left + 2.0 * above + upper_right - lower_left - 2.0 * below - lower_right;
+  vec3 squares = across * across + up * up;
   return sqrt(max(squares.r, max(squares.g, squares.b)));
   // --- skeleton
   // | return 0.0;
@@ -120,12 +119,10 @@ vec3 colour_in_direction(sampler2D picture, vec3 direction, vec2 half_size) {
 // the centre, at 1 + amount * sin(2 pi (turns + c / 3)) times the distance. Handout, section 4.
 vec3 aberrated(sampler2D picture, vec2 texcoord, float amount, float turns) {
   // >>> student: three places
-  vec3 colour;
-  for (int c = 0; c < 3; ++c) {
-    float factor = 1.0 + amount * sin(6.28318530718 * (turns + float(c) / 3.0));
-    colour[c] = texture(picture, 0.5 + (texcoord - 0.5) * factor)[c];
-  }
-  return colour;
+  vec3 factor = 1.0 + amount * sin(6.28318530718 * (turns + vec3(0.0, 1.0, 2.0) / 3.0));
+  vec2 away = texcoord - 0.5;
+  return vec3(texture(picture, 0.5 + away * factor.r).r, texture(picture, 0.5 + away * factor.g).g,
+              texture(picture, 0.5 + away * factor.b).b);
   // --- skeleton
   // | return texture(picture, texcoord).rgb;
   // <<< student

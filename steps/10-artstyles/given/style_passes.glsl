@@ -37,14 +37,16 @@ vec4 surface_at(vec2 texcoord) {
   return vec4(normalize(2.0 * code - 1.0), u_far > 0.0 ? u_far - depth : 1.0 / depth);
 }
 
-vec2 steps_at(vec2 texcoord) {
-  vec4 around[9];
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) {
-      vec2 neighbour = texcoord + vec2(column - 1, 1 - row) * pixel_size();
-      around[3 * row + column] = surface_at(clamp(neighbour, 0.5 * pixel_size(), 1.0 - 0.5 * pixel_size()));
-    }
-  return surface_steps(around);
+vec4 surface_beside(vec2 texcoord, float columns, float rows) {
+  vec2 neighbour = texcoord + vec2(columns, rows) * pixel_size();
+  return surface_at(clamp(neighbour, 0.5 * pixel_size(), 1.0 - 0.5 * pixel_size()));
+}
+
+vec2 steps_at(vec2 at) {
+  return surface_steps(vec4[9](surface_beside(at, -1.0, 1.0), surface_beside(at, 0.0, 1.0), surface_beside(at, 1.0, 1.0),
+                               surface_beside(at, -1.0, 0.0), surface_at(at), surface_beside(at, 1.0, 0.0),
+                               surface_beside(at, -1.0, -1.0), surface_beside(at, 0.0, -1.0),
+                               surface_beside(at, 1.0, -1.0)));
 }
 
 vec4 steps_pass(vec2 texcoord) { return vec4(steps_at(texcoord), 0.0, 1.0); }
