@@ -30,8 +30,8 @@ struct Greys {
 
 /// One centre in each cell of a grid, row by row, from left to right. The first cell begins at (0, 0); cells of cell.x
 /// times cell.y pixels cover the whole picture, and those at its right and lower edge may reach beyond it. The centre
-/// is a pixel of the cell, each equally likely: with `random` being random_numbers(seed, column, row) of the cell, it is
-/// floor(random.x * cell.x / 2^32) columns right of the cell's first pixel, and floor(random.y * cell.y / 2^32) rows
+/// is a pixel of the cell, each equally likely: with `random` being random_numbers(seed, column, row) of the cell, it
+/// is floor(random.x * cell.x / 2^32) columns right of the cell's first pixel, and floor(random.y * cell.y / 2^32) rows
 /// below it. Centres outside the picture are left out. No pixels, no centres; throws std::invalid_argument if a side of
 /// the picture is negative, or one of a cell is below 1. Handout, section 5.
 std::vector<glm::ivec2> stroke_centres(glm::ivec2 size, glm::ivec2 cell, std::uint32_t seed);
@@ -78,9 +78,9 @@ void paint_stroke(Picture& canvas, const Stroke& stroke, Rows rows, std::span<co
 
 /// (further) The regions of a picture, one number for each pixel. A pixel is a border, region 0, if the magnitude of
 /// Sobel's gradient of the greys (as in edge_strength, artstyles.glsl, but on whole codes) is above `threshold`, which
-/// is at least 0; beyond the edges the picture goes on with the greys of its edges. All other pixels have a number above 0: the same for two
-/// of them exactly if a way leads from one to the other over pixels that are no borders, each above, below, left or
-/// right of the one before. Pictures are up to 4096 pixels a side. Handout, section 8.
+/// is at least 0; beyond the edges the picture goes on with the greys of its edges. All other pixels have a number
+/// above 0: the same for two of them exactly if a way leads from one to the other over pixels that are no borders, each
+/// above, below, left or right of the one before. Pictures are up to 4096 pixels a side. Handout, section 8.
 std::vector<int> regions(const Greys& greys, int threshold);
 
 }  // namespace atelier::artstyles

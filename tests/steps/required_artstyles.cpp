@@ -124,6 +124,32 @@ TEST_CASE("toon has six greys where it has no ink", "[required][10-artstyles]") 
   CHECK(greys.size() >= 5);
 }
 
+TEST_CASE("lines from surfaces have no gaps, also at corners and in pictures of odd sizes",
+          "[required][10-artstyles]") {
+  const Choices surface{{"toon.outlines", text("surface")}};
+  for (const glm::ivec2 size : {glm::ivec2(160, 120), glm::ivec2(161, 119), glm::ivec2(7, 5), glm::ivec2(1, 1)}) {
+    Case lines = styled("blocks", "toon", surface), normals = picture("blocks", {}, "normal");
+    lines.size = normals.size = size;
+    const auto all = drawn(style_step, {lines, normals});
+    const auto differ = [&](glm::ivec2 a, glm::ivec2 b) {
+      const Rgba &p = all[1].picture.at(a.x, a.y), &q = all[1].picture.at(b.x, b.y);
+      return 2 * std::hypot(p.r - q.r, p.g - q.g, p.b - q.b) > 0.61f;
+    };
+    int bends = 0, gaps = 0;
+    for (int y = 0; y < size.y; ++y)
+      for (int x = 0; x < size.x; ++x)
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.y - 1); ++v)
+          for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.x - 1); ++u)
+            if (differ({x, y}, {u, v})) {
+              ++bends;
+              gaps += all[0].picture.at(x, y).r > 0.01f;
+            }
+    INFO(size.x << " x " << size.y << ": " << bends << " pairs of neighbours");
+    CHECK(gaps == 0);
+    CHECK((bends > 1000 || size.x < 100));
+  }
+}
+
 TEST_CASE("the shifts of the channels have a period of one turn, and are zero without an amount",
           "[required][10-artstyles]") {
   const auto at = [](double turns, double amount = 0.05) {

@@ -35,7 +35,8 @@ int exact_radius(const Greys& greys, glm::ivec2 centre, const Brush& brush) {
   for (const double v : values) mean += v / double(values.size());
   for (const double v : values) variance += (v - mean) * (v - mean) / double(values.size());
   const double contrast = mean > 0 ? std::sqrt(variance) / mean : 0;
-  return int(std::floor(brush.largest - (brush.largest - brush.smallest) * std::min(contrast / double(brush.full), 1.0) + 0.5));
+  return int(std::floor(brush.largest -
+                        (brush.largest - brush.smallest) * std::min(contrast / double(brush.full), 1.0) + 0.5));
 }
 
 /// In units of 1 / |to - from|^2 all is whole. For places within 1000 pixels of the line.
@@ -57,7 +58,8 @@ void exact_paint(Picture& canvas, const Stroke& stroke, Rows rows, std::span<con
       const double share = stroke.opacity / 255.0;
       for (int c = 0; c < 3; ++c) {
         std::uint8_t& code = canvas.pixels[at][c];
-        code = std::uint8_t(std::floor(share * stroke.colour[c] + (1 - share) * code + 0.5));  // n / 255: never half way
+        code =
+            std::uint8_t(std::floor(share * stroke.colour[c] + (1 - share) * code + 0.5));  // n / 255: never half way
       }
     }
 }
@@ -65,8 +67,9 @@ void exact_paint(Picture& canvas, const Stroke& stroke, Rows rows, std::span<con
 /// Numbers spread from pixel to pixel until nothing changes.
 std::vector<int> exact_regions(const Greys& greys, int threshold) {
   const auto grey = [&](int x, int y) {
-    return double(greys.values[std::size_t(std::clamp(y, 0, greys.height - 1) * greys.width +
-                                           std::clamp(x, 0, greys.width - 1))]);
+    return double(
+        greys
+            .values[std::size_t(std::clamp(y, 0, greys.height - 1) * greys.width + std::clamp(x, 0, greys.width - 1))]);
   };
   std::vector<int> numbers;
   for (int y = 0; y < greys.height; ++y)

@@ -74,8 +74,7 @@ glm::ivec2 half_line(const Greys& greys, glm::ivec2 centre, double half_length, 
 template <class Task>
 void in_parts(std::size_t count, int threads, const Task& task) {
   const auto parts = std::size_t(threads);
-  for_each_parallel(parts, threads,
-                    [&](std::size_t part) { task(count * part / parts, count * (part + 1) / parts); });
+  for_each_parallel(parts, threads, [&](std::size_t part) { task(count * part / parts, count * (part + 1) / parts); });
 }
 
 constexpr int band_rows = 64;
@@ -107,8 +106,8 @@ struct Painter {
   Stroke stroke(glm::ivec2 centre, std::uint32_t seed) const {
     const int radius = functions.radius(greys, centre, how.brush);
     if (radius < how.brush.smallest || radius > how.brush.largest)
-      throw Error(fmt::format("brush_radius returned {} (allowed: {} to {})", radius, how.brush.smallest,
-                              how.brush.largest));
+      throw Error(
+          fmt::format("brush_radius returned {} (allowed: {} to {})", radius, how.brush.smallest, how.brush.largest));
     const std::uint32_t random = random_numbers(seed, centre.x, centre.y).z;
     const glm::ivec2 half = half_line(greys, centre, how.length * radius / 2, random);
     return {.from = centre - half,
@@ -145,8 +144,8 @@ struct Painter {
     const std::uint32_t seed = seed_of(picture);
     for (int i = 0; i < how.iterations; ++i) {
       const std::vector<Stroke> all = strokes(random_numbers(seed, i, -1).x);
-      // A band of rows after another, by whichever thread is free: the order of strokes is the same for every pixel, and
-      // a band stays in the cache while all its strokes are painted.
+      // A band of rows after another, by whichever thread is free: the order of strokes is the same for every pixel,
+      // and a band stays in the cache while all its strokes are painted.
       const std::vector<std::vector<const Stroke*>> bands = by_band(all);
       for_each_parallel(bands.size(), how.threads, [&](std::size_t band) {
         const int first = int(band) * band_rows;

@@ -10,7 +10,7 @@ namespace atelier {
 /// How a picture is painted. The defaults are those of the settings.
 struct Painting {
   int iterations = 15;
-  int grid = 10; ///< pixels, about: the cells of each iteration are 3/4 to 5/4 as large
+  int grid = 10;  ///< pixels, about: the cells of each iteration are 3/4 to 5/4 as large
   artstyles::Brush brush{.smallest = 1, .largest = 6, .reach = 4, .full = 0.4f};
   double length = 3;      ///< of the line of a stroke, in radii
   int opacity = 200;      ///< 0..255
@@ -23,7 +23,8 @@ struct Painting {
 struct StrokeFunctions {
   std::function<std::vector<glm::ivec2>(glm::ivec2 size, glm::ivec2 cell, std::uint32_t seed)> centres;
   std::function<int(const artstyles::Greys&, glm::ivec2 centre, const artstyles::Brush&)> radius;
-  std::function<void(artstyles::Picture&, const artstyles::Stroke&, artstyles::Rows, std::span<const int> regions)> paint;
+  std::function<void(artstyles::Picture&, const artstyles::Stroke&, artstyles::Rows, std::span<const int> regions)>
+      paint;
   std::function<std::vector<int>(const artstyles::Greys&, int threshold)> regions;
 };
 StrokeFunctions student_strokes();

@@ -25,7 +25,8 @@ GlTexture test_picture(Gl& gl) {
   std::vector<glm::vec4> texels;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x)
-      texels.emplace_back(x < 4 ? 0.04f : float((5 * x + 3 * y) % 7) / 8, y < 3 ? 0.25f : float((3 * x + 7 * y) % 11) / 9,
+      texels.emplace_back(x < 4 ? 0.04f : float((5 * x + 3 * y) % 7) / 8,
+                          y < 3 ? 0.25f : float((3 * x + 7 * y) % 11) / 9,
                           (x > 7) == (y > 4) ? 0.9f : 0.1f * float(x % 3), 1.0f);
   GlTexture texture(gl);
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
@@ -77,13 +78,13 @@ Greys greys_named(int picture, int width, int height) {
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       const auto noise = int(random_numbers(10, x, y).x >> 24);
-      const std::array<int, 8> values = {0,                                       // black
-                                         200,                                     // even
-                                         noise,                                   // noise
-                                         x < width / 2 ? 40 : 220,                // a step
-                                         255 * x / std::max(width - 1, 1),        // a slope
-                                         240 + noise % 8,                         // bright, with little noise
-                                         (x / 3 + y / 3) % 2 ? 230 : 20,          // a checker board
+      const std::array<int, 8> values = {0,                                           // black
+                                         200,                                         // even
+                                         noise,                                       // noise
+                                         x < width / 2 ? 40 : 220,                    // a step
+                                         255 * x / std::max(width - 1, 1),            // a slope
+                                         240 + noise % 8,                             // bright, with little noise
+                                         (x / 3 + y / 3) % 2 ? 230 : 20,              // a checker board
                                          y == x || y == x + 1 ? 0 : 90 + noise % 4};  // a dark diagonal
       greys.values.push_back(std::uint8_t(values.at(std::size_t(picture))));
     }
@@ -223,8 +224,7 @@ std::map<std::string, Probe> style_probes() {
       {"aberrated", picture_probe("vec4(aberrated(u_test, texcoord, amount, turns), 0.0)", 3)},
       {"fisheye_place", shader_probe(glsl(), "vec4(fisheye_place(direction, size, half_angle), 0.0, 0.0)", 2)},
       {"power_place", shader_probe(glsl(), "vec4(power_place(source, size, strength, power), 0.0, 0.0)", 2)},
-      {"distorted_normal",
-       shader_probe(glsl(), "vec4(distorted_normal(normal, mat2(by_x, by_y)), 0.0)", 3)},
+      {"distorted_normal", shader_probe(glsl(), "vec4(distorted_normal(normal, mat2(by_x, by_y)), 0.0)", 3)},
       {"stroke_centres", probe_centres},
       {"all_centres", probe_all_centres},
       {"centres_refuses",

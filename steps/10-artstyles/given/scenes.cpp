@@ -39,7 +39,8 @@ Scene still_life() {
   const int plum = add_material(scene, plastic("plum", {0.16f, 0.04f, 0.2f}, 60));
   const int glass = add_material(scene, plastic("bottle", {0.02f, 0.13f, 0.06f}, 120));
   const int copper = add_material(scene, metal("copper", copper_reflectance, 40));
-  add_object(scene, make_plane({.width = 8, .depth = 5}), wall, upright({.name = "wall", .translation = {0, 1, -1.2}}, 0));
+  add_object(scene, make_plane({.width = 8, .depth = 5}), wall,
+             upright({.name = "wall", .translation = {0, 1, -1.2}}, 0));
   add_object(scene, make_plane({.width = 6, .depth = 3, .repeat = {2, 1}}), table,
              {.name = "table", .translation = {0, 0, 0.3}});
   add_object(scene, make_box({.size = {1.3f, 0.012f, 1}}), cloth,
@@ -56,7 +57,8 @@ Scene still_life() {
   fruit("orange", orange, 0.16f, 0.72, 0.45);
   for (int i = 0; i < 4; ++i) fruit("plum", plum, 0.075f, -0.45 + 0.13 * i, 0.62 + 0.05 * (i % 2));
   add_object(scene, make_sphere({.radius = 0.15f}), pear, {.name = "pear", .translation = {-0.28, 0.17, 0.3}});
-  add_object(scene, make_cone({.radius = 0.13f, .height = 0.3f}), pear, {.name = "pear", .translation = {-0.28, 0.2, 0.3}});
+  add_object(scene, make_cone({.radius = 0.13f, .height = 0.3f}), pear,
+             {.name = "pear", .translation = {-0.28, 0.2, 0.3}});
   add_light(scene, {.type = LightType::directional,
                     .name = "window",
                     .direction = glm::normalize(glm::vec3(0.75f, -0.6f, -0.45f)),

@@ -27,7 +27,11 @@ std::vector<SettingSpec> style_settings() {
       {.name = "paint.iterations", .fallback = 15, .low = 1, .high = 30, .help = "grids of strokes"},
       {.name = "paint.grid", .fallback = 10, .low = 2, .high = 64, .help = "pixels: the cells of the grids, about"},
       {.name = "paint.smallest", .fallback = 1, .low = 0, .high = 64, .help = "pixels: the radius of the finest brush"},
-      {.name = "paint.largest", .fallback = 6, .low = 0, .high = 64, .help = "pixels: the radius of the broadest brush"},
+      {.name = "paint.largest",
+       .fallback = 6,
+       .low = 0,
+       .high = 64,
+       .help = "pixels: the radius of the broadest brush"},
       {.name = "paint.reach",
        .fallback = 4,
        .low = 0,
@@ -94,8 +98,7 @@ std::vector<OutputSpec> style_outputs() {
   outputs.push_back({"second", Encoding::linear, "the picture after the second style"});
   outputs.push_back({"edges", Encoding::data, "how strongly the picture changes, as a part of the most that it can"});
   outputs.push_back({"steps", Encoding::data, "red: steps in depth, green: bends of the surface"});
-  outputs.push_back({"relief",
-                     Encoding::data,
+  outputs.push_back({"relief", Encoding::data,
                      "the picture's normal map, as n/2 + 1/2, distorted by the first style if it is a fish-eye"});
   return outputs;
 }
@@ -233,8 +236,7 @@ void StylePasses::configure(const Settings& settings) {
   surface_edges_ = outlines == "surface" || outlines == "both";
   low_ = float(settings.real("toon.low"));
   high_ = float(settings.real("toon.high"));
-  if (low_ >= high_)
-    throw Error(fmt::format("toon.low is {}: it must be below toon.high, which is {}", low_, high_));
+  if (low_ >= high_) throw Error(fmt::format("toon.low is {}: it must be below toon.high, which is {}", low_, high_));
   half_angle_ = float(glm::radians(settings.real("fisheye.angle") / 2));
   strength_ = float(settings.real("fisheye.strength"));
   power_ = float(settings.real("fisheye.power"));

@@ -6,7 +6,9 @@ uniform float u_half_angle, u_strength, u_power;
 
 vec2 half_size() { return u_half_height * vec2(u_size.x / u_size.y, 1.0); }
 vec2 pixel_size() { return 1.0 / u_size; }
-bool in_picture(vec2 texcoord) { return all(greaterThanEqual(texcoord, vec2(0.0))) && all(lessThanEqual(texcoord, vec2(1.0))); }
+bool in_picture(vec2 texcoord) {
+  return all(greaterThanEqual(texcoord, vec2(0.0))) && all(lessThanEqual(texcoord, vec2(1.0)));
+}
 
 // Where the lens takes a pixel from, in texture coordinates; outside the picture: nowhere.
 vec2 lens_source(vec2 texcoord) {
@@ -135,6 +137,8 @@ vec4 relief_pass(vec2 texcoord) {
   vec3 code = texture(u_normal, source).rgb;
   if (code == vec3(0.0)) return vec4(0.0, 0.0, 0.0, 1.0);
   vec3 normal = u_world_to_view * (2.0 * code - 1.0);
+  // A height field has no overhangs, which a picture in perspective may show.
+  normal = normalize(vec3(normal.xy, max(normal.z, 0.01)));
 #ifdef BEHIND_LENS
   normal = distorted_normal(normal, lens_jacobian(texcoord));
 #endif

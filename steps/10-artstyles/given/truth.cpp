@@ -280,7 +280,8 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
   const Styles styles = styles_of(settings);
   const bool restores = settings.flag("fisheye.restored");
   const bool traces_lens = styles[0] == Style::fisheye && !restores && !camera.orthographic &&
-                           (lens.all_around || chain_handles_pixels(settings)) && wanted != "steps" && wanted != "relief";
+                           (lens.all_around || chain_handles_pixels(settings)) && wanted != "steps" &&
+                           wanted != "relief";
   SceneTruth geometry = truth;
   geometry.finish = nullptr;
   geometry.output.clear();
@@ -303,10 +304,12 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
         const auto from = distorts ? lens.source(place) : std::optional(place);
         if (!from) return glm::dvec3(0);
         // Smooth or not, normals are filtered as the program does it.
-        const glm::dvec3 code = rgb(clamped(normals, int(std::floor((from->x * normals.height() + normals.width()) / 2)),
-                                            int(std::floor((1 - from->y) * normals.height() / 2))));
+        const glm::dvec3 code =
+            rgb(clamped(normals, int(std::floor((from->x * normals.height() + normals.width()) / 2)),
+                        int(std::floor((1 - from->y) * normals.height() / 2))));
         if (code == glm::dvec3(0)) return glm::dvec3(0);
         glm::dvec3 normal = glm::transpose(camera.to_world) * glm::normalize(2.0 * code - 1.0);
+        normal = glm::normalize(glm::dvec3(normal.x, normal.y, std::max(normal.z, 0.01)));  // no overhangs
         if (distorts) {
           // A plane with this normal through the source has the slopes -n.xy / n.z; along both axes of the picture.
           const double h = 1e-4;

@@ -37,7 +37,9 @@ Picture make_picture() {
     for (int x = 0; x < width; ++x) {
       const Rgba &p = card.at(x * card.width() / width, y * card.height() / height),
                  &q = card.at(x % card.width(), y % card.height());
-      const auto code = [](float light, float other) { return std::uint8_t((15 * srgb_code(light) + srgb_code(other)) / 16); };
+      const auto code = [](float light, float other) {
+        return std::uint8_t((15 * srgb_code(light) + srgb_code(other)) / 16);
+      };
       picture.pixels.emplace_back(code(p.r, q.r), code(p.g, q.g), code(p.b, q.b), 255);
     }
   return picture;
@@ -82,8 +84,7 @@ Peer magick(const Picture& picture) {
   std::size_t version = 0;
   return {.name = fmt::format("{:.18}, -paint 4", GetMagickVersion(&version)),
           .run = [changed] { MagickOilPaintImage(changed->get(), 4); },
-          .prepare =
-              [=] { *changed = std::shared_ptr<MagickWand>(CloneMagickWand(source.get()), DestroyMagickWand); }};
+          .prepare = [=] { *changed = std::shared_ptr<MagickWand>(CloneMagickWand(source.get()), DestroyMagickWand); }};
 }
 
 #else
@@ -98,10 +99,8 @@ std::vector<Row> rows_of_painting() {
   const auto picture = std::make_shared<Picture>(make_picture());
   std::vector<Row> rows;
   const auto add = [&](const char* work, const Painting& how, Peer peer, double aim) {
-    rows.push_back({.work = work,
-                    .ours = [=] { painted(*picture, how, fast_strokes()); },
-                    .peer = std::move(peer),
-                    .aim = aim});
+    rows.push_back(
+        {.work = work, .ours = [=] { painted(*picture, how, fast_strokes()); }, .peer = std::move(peer), .aim = aim});
   };
   Painting confined;
   confined.confined = true;

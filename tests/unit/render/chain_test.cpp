@@ -141,8 +141,9 @@ TEST_CASE("a pass that begins a picture takes the place of the scene and of the 
 TEST_CASE("a pass reads the nearest texel, or filters linearly", "[chain]") {
   ChainStage stage;
   // Half a pixel to the right of this one.
-  stage.shaders.write("00-fake/aside.glsl",
-                      "vec4 aside(vec2 texcoord) { return texture(u_picture, texcoord + vec2(0.4 / u_size.x, 0.0)); }\n");
+  stage.shaders.write(
+      "00-fake/aside.glsl",
+      "vec4 aside(vec2 texcoord) { return texture(u_picture, texcoord + vec2(0.4 / u_size.x, 0.0)); }\n");
   ChainPass aside{.name = "aside", .code = {"00-fake/aside.glsl", "aside"}};
   const auto mixed = [&] {
     const Scene scene = triangle_scene();
