@@ -65,6 +65,6 @@ draw 10-relief-plain $step --scene still-life --output relief
 draw 10-relief-lens $step --scene still-life --output relief "${fisheye[@]}"
 pair 10-relief 10-relief-plain 10-relief-lens
 
-mistakes $step 10-mistakes toon-room--{edges-of-luma,toon-light-not-squared} \
-  blocks-surface--{steps-first-difference,steps-depth-alone} room-power--power-texture-coordinates \
-  room-all-around--direction-mirrored room-aberrated--aberration-thirds-lost card-painted--stroke-without-ends
+mistakes $step 10-mistakes toon-room--{edge-of-luma,toon-not-squared,toon-five-greys} \
+  blocks-surface--steps-four-neighbours room-power--power-aspect-ignored room-all-around--fisheye-rectilinear \
+  room-aberrated--aberration-same-phase card-painted--stroke-endless

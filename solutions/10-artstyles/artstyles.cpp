@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "10-artstyles/given/random.hpp"
-
 namespace atelier::artstyles {
 
 // >>> student: what your functions below share, if anything

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "10-artstyles/given/random.hpp"
-
 namespace atelier::artstyles {
 
 // TODO(10-artstyles): what your functions below share, if anything

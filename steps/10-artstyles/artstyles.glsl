@@ -1,7 +1,7 @@
 // 10-artstyles: what a pixel shader does. The contract of each function is the comment above it. Colours are linear
-// light. Texture coordinates run from (0, 0), the lower left corner of the picture, to (1, 1); `size` is that of the
-// picture in pixels. Distances in a picture are in half heights: the middle of its upper edge is 1 away from its
-// centre, that of its right edge size.x / size.y. Directions are in view space: x right, y up, -z ahead.
+// light, at least 0. Texture coordinates run from (0, 0), the lower left corner of the picture, to (1, 1); `size` is
+// that of the picture in pixels. Distances in a picture are in half heights: the middle of its upper edge is 1 away
+// from its centre, that of its right edge size.x / size.y. Directions are in view space: x right, y up, -z ahead.
 #include "08-post-processing/post_processing.glsl"
 #include "10-artstyles/given/shown.glsl"
 
@@ -35,7 +35,7 @@ vec3 toon(vec3 colour, float edge, float low, float high) {
 // this pixel: xyz is the normal, of unit length, w the reciprocal of the depth (the distance along the view's axis), in
 // 1/m. All are 0 where nothing is seen. On a plane w changes evenly from pixel to pixel.
 // x: the largest step in depth. For a pair of opposite neighbours a and b it is |a.w + b.w - 2 around[4].w|, divided by
-// the largest of the three w, and 0 if nothing is seen in any of the three; there are four pairs.
+// the largest of the three w, and 0 where all three are 0; there are four pairs.
 // y: the largest bend: the length of the difference of a neighbour's normal and this pixel's.
 // Handout, section 3.
 vec2 surface_steps(vec4 around[9]) {
@@ -47,9 +47,9 @@ vec2 surface_steps(vec4 around[9]) {
 // Core 2: lenses
 // ---------------------------------------------------------------------------------------------------------------------
 
-// Where a pixel takes its colour from, in texture coordinates: as far from the centre as the pixel, r, and in the same
-// direction, times 1 + strength * r^power. r is in half heights. strength is at least 0, power at least 1. Handout,
-// section 4.
+// Where a pixel takes its colour from, in texture coordinates: the place in the same direction from the centre of the
+// picture as the pixel, but at the distance r (1 + strength * r^power), r being the pixel's own distance in half
+// heights. strength is at least 0, power at least 1. Handout, section 4.
 vec2 power_source(vec2 texcoord, vec2 size, float strength, float power) {
   // TODO(10-artstyles): a length, a factor
   return texcoord;
@@ -73,7 +73,7 @@ vec3 colour_in_direction(sampler2D picture, vec3 direction, vec2 half_size) {
 }
 
 // The picture with its channels apart. Channel c (0 red, 1 green, 2 blue) comes from the place in the same direction
-// from the centre, at 1 + amount * sin(2 pi (turns + c / 3)) times the distance. Handout, section 4.
+// from the centre, at 1 + amount * sin(2 pi (turns + c / 3)) times the distance. turns is 0..1000. Handout, section 4.
 vec3 aberrated(sampler2D picture, vec2 texcoord, float amount, float turns) {
   // TODO(10-artstyles): three places
   return texture(picture, texcoord).rgb;
@@ -83,9 +83,9 @@ vec3 aberrated(sampler2D picture, vec2 texcoord, float amount, float turns) {
 // Further: from the scene to the picture
 // ---------------------------------------------------------------------------------------------------------------------
 
-// (further) The inverse of fisheye_direction: the texture coordinates where a direction (of any length above 0) is
-// seen; beyond the circle too. Straight behind the eye, any place of the right distance. Handout, section 9. Small
-// angles keep their accuracy: a direction 0.001 degrees from the axis is not at the centre.
+// (further) The inverse of fisheye_direction: the texture coordinates where a direction (of any length from
+// 1e-12 to 1e12) is seen; beyond the circle too. Straight behind the eye, any place at the distance of this angle.
+// Small angles keep their accuracy: a direction 0.001 degrees from the axis is not at the centre. Handout, section 9.
 vec2 fisheye_place(vec3 direction, vec2 size, float half_angle) {
   // TODO(10-artstyles): an angle of any size
   return vec2(0.5);

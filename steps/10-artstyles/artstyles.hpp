@@ -1,15 +1,17 @@
 // 10-artstyles: the contract of artstyles.cpp: how a picture is painted, stroke by stroke. You also write
 // artstyles.glsl: drawn edges, few greys, lenses; the contract of each function is the comment above it.
 //
-// Pictures here are pixels of 8 bits a channel, sRGB codes, in rows from the top. A place is (column, row). Random
-// numbers come from given/random.hpp: they depend on the arguments alone, so a still picture is painted the same way
-// each time.
+// Pictures here are pixels of 8 bits a channel, sRGB codes, in rows from the top, up to 16 384 a side. A place is
+// (column, row). Random numbers come from given/random.hpp: they depend on the arguments alone, so a still picture is
+// painted the same way each time.
 #pragma once
 
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
+
+#include "10-artstyles/given/random.hpp"
 
 namespace atelier::artstyles {
 
@@ -38,7 +40,7 @@ std::vector<glm::ivec2> stroke_centres(glm::ivec2 size, glm::ivec2 cell, std::ui
 
 struct Brush {
   int smallest = 2, largest = 8;  ///< radius, pixels; 0 <= smallest <= largest
-  int reach = 4;                  ///< pixels, at least 0
+  int reach = 4;                  ///< pixels, 0..1000
   float full = 0.5f;              ///< the relative contrast that takes the smallest brush, above 0
 };
 

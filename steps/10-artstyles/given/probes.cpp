@@ -19,8 +19,8 @@ using namespace artstyles;
 
 // ---- GLSL
 
-/// 12 x 8 texels of light, some above 1; in each channel another one changes most. Filtered linearly, clamped.
-GlTexture test_picture(Gl& gl) {
+/// 12 x 8 texels of light, some above 1; in each channel another one changes most. Clamped.
+GlTexture test_picture(Gl& gl, GLint filtered) {
   constexpr int width = 12, height = 8;
   std::vector<glm::vec4> texels;
   for (int y = 0; y < height; ++y)
@@ -32,7 +32,7 @@ GlTexture test_picture(Gl& gl) {
   gl.BindTexture(GL_TEXTURE_2D, texture.id());
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, texels.data());
   for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+    gl.TexParameteri(GL_TEXTURE_2D, filter, filtered);
   for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
     gl.TexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
   return texture;
@@ -42,8 +42,9 @@ std::string glsl() {
   return text_including("10-artstyles/artstyles.glsl", no_lights()) + "uniform sampler2D u_test;\n";
 }
 
-Probe picture_probe(const std::string& expression, int components) {
-  return with_texture(GL_TEXTURE_2D, test_picture, shader_probe(glsl(), expression, components));
+Probe picture_probe(GLint filter, const std::string& expression, int components) {
+  const auto make = [filter](Gl& gl) { return test_picture(gl, filter); };
+  return with_texture(GL_TEXTURE_2D, make, shader_probe(glsl(), expression, components));
 }
 
 // ---- Strokes
@@ -211,7 +212,7 @@ Numbers probe_all_regions(ProbeContext&, const Arguments& in) {
 
 std::map<std::string, Probe> style_probes() {
   return {
-      {"edge_strength", picture_probe("vec4(edge_strength(u_test, texcoord, pixel))", 1)},
+      {"edge_strength", picture_probe(GL_NEAREST, "vec4(edge_strength(u_test, texcoord, pixel))", 1)},
       {"toon", shader_probe(glsl(), "vec4(toon(colour, edge, low, high), 0.0)", 3)},
       {"surface_steps",
        shader_probe(glsl(),
@@ -220,8 +221,8 @@ std::map<std::string, Probe> style_probes() {
                     2)},
       {"power_source", shader_probe(glsl(), "vec4(power_source(texcoord, size, strength, power), 0.0, 0.0)", 2)},
       {"fisheye_direction", shader_probe(glsl(), "vec4(fisheye_direction(texcoord, size, half_angle), 0.0)", 3)},
-      {"colour_in_direction", picture_probe("vec4(colour_in_direction(u_test, direction, half_size), 0.0)", 3)},
-      {"aberrated", picture_probe("vec4(aberrated(u_test, texcoord, amount, turns), 0.0)", 3)},
+      {"colour_in_direction", picture_probe(GL_LINEAR, "vec4(colour_in_direction(u_test, direction, half_size), 0.0)", 3)},
+      {"aberrated", picture_probe(GL_LINEAR, "vec4(aberrated(u_test, texcoord, amount, turns), 0.0)", 3)},
       {"fisheye_place", shader_probe(glsl(), "vec4(fisheye_place(direction, size, half_angle), 0.0, 0.0)", 2)},
       {"power_place", shader_probe(glsl(), "vec4(power_place(source, size, strength, power), 0.0, 0.0)", 2)},
       {"distorted_normal", shader_probe(glsl(), "vec4(distorted_normal(normal, mat2(by_x, by_y)), 0.0)", 3)},
