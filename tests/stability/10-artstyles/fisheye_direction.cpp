@@ -6,12 +6,6 @@ namespace atelier::stability {
 
 namespace {
 
-constexpr std::array sizes = {glm::vec2(1, 1), glm::vec2(1920, 1080), glm::vec2(1, 16384), glm::vec2(16384, 1)};
-constexpr float pi = std::numbers::pi_v<float>;
-
-/// What a sine or cosine may be off: GLSL demands nothing.
-constexpr double sine_error = 2e-6;
-
 ShaderInput direction_call(const glm::vec2& texcoord, const glm::vec2& size, float half_angle) {
   return input_of(texcoord, size, half_angle);
 }

@@ -6,14 +6,11 @@ namespace atelier::stability {
 
 namespace {
 
-constexpr float pi = std::numbers::pi_v<float>;
 constexpr glm::vec2 wide(1920, 1080);
 
 /// What the arc tangent of a driver may be off, relative: GLSL demands nothing. Mesa's is a polynomial that is 2.1e-5
 /// off at small angles.
 constexpr double arc_error = 4e-5;
-/// The same of a sine or cosine, absolute.
-constexpr double sine_error = 2e-6;
 
 ShaderInput place_call(const glm::vec3& direction, const glm::vec2& size, float half_angle) {
   return input_of(direction, size, half_angle);

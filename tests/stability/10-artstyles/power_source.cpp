@@ -5,8 +5,6 @@ namespace atelier::stability {
 
 namespace {
 
-constexpr std::array sizes = {glm::vec2(1, 1), glm::vec2(1920, 1080), glm::vec2(1, 16384), glm::vec2(16384, 1)};
-
 /// A call: texture coordinates, the size, (strength, power).
 ShaderInput source_call(const glm::vec2& texcoord, const glm::vec2& size, double strength, double power) {
   return input_of(texcoord, size, glm::vec2(strength, power));

@@ -1,9 +1,11 @@
 // The table of step 10, a function for each part of its contract.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "10-artstyles/artstyles.hpp"
 #include "stability/calls.hpp"
@@ -48,6 +50,14 @@ double count_failed(ShaderFunctions& shaders, const ShaderFunction& function, co
 /// A row: the same call in 64 pixels, one of which has a NaN as its first argument instead. The others come out as they
 /// do without it.
 void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call);
+
+inline constexpr float pi = std::numbers::pi_v<float>;
+
+/// What a sine or cosine may be off: GLSL demands nothing.
+inline constexpr double sine_error = 2e-6;
+
+/// Pictures of unusual shapes among them.
+inline constexpr std::array sizes = {glm::vec2(1, 1), glm::vec2(1920, 1080), glm::vec2(1, 16384), glm::vec2(16384, 1)};
 
 /// The places of a polar grid of 146 directions and 84 distances, 12264 in all: distance and angle of each. The
 /// distances are evenly spread over 0 .. `farthest`; neither end is among them.
