@@ -32,11 +32,11 @@ float edge_strength(sampler2D picture, vec2 texcoord, vec2 pixel) {
   // <<< student
 }
 
-// A colour in one of six greys, with ink over it. Its brightness is the square root of its luma (08's `luma`), which is
-// taken as 1 if it is above; the grey has the nearest of the brightnesses 0, 1/5, 2/5, 3/5, 4/5, 1, half way between
-// two either. The light of a grey is the square of its brightness. Where the edge is `low` or weaker there is no ink,
-// and the result is this grey; where it is `high` or stronger, it is black. Between them the share of ink is 3 t^2 - 2
-// t^3, t being 0 at `low` and 1 at `high`. 0 <= low < high. Handout, section 2.
+// A colour in one of six greys, with ink over it. Its brightness is the square root of its luma (step 08's
+// `float luma(vec3)`), which is taken as 1 if it is above; the grey has the nearest of the brightnesses 0, 1/5, 2/5,
+// 3/5, 4/5, 1, half way between two either. The light of a grey is the square of its brightness. Where the edge is
+// `low` or weaker there is no ink, and the result is this grey; where it is `high` or stronger, it is black. Between them
+// the share of ink is 3 t^2 - 2 t^3, t being 0 at `low` and 1 at `high`. 0 <= low < high. Handout, section 2.
 vec3 toon(vec3 colour, float edge, float low, float high) {
   // >>> student: a grey, then ink
   float grey = round(5.0 * sqrt(clamp(luma(colour), 0.0, 1.0))) / 5.0;
@@ -147,8 +147,8 @@ vec2 fisheye_place(vec3 direction, vec2 size, float half_angle) {
 }
 
 // (further) The inverse of power_source: the texture coordinates whose colour comes from `source`, up to 20 half
-// heights from the centre, for all strengths from 0 to 10 and powers from 1 to 8, to 1e-5 of the distance. Handout,
-// section 9.
+// heights from the centre, for all strengths from 0 to 10 and powers from 1 to 8, to 1e-5 of the distance or 1e-6,
+// whichever is more. Handout, section 9.
 vec2 power_place(vec2 source, vec2 size, float strength, float power) {
   // >>> student: a root
   vec2 from_centre = source - 0.5;

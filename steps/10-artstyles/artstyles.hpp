@@ -1,7 +1,7 @@
 // 10-artstyles: the contract of artstyles.cpp: how a picture is painted, stroke by stroke. You also write
 // artstyles.glsl: drawn edges, few greys, lenses; the contract of each function is the comment above it.
 //
-// Pictures here are pixels of 8 bits a channel, sRGB codes, in rows from the top, up to 16 384 a side. A place is
+// Pictures here are pixels of 8 bits a channel, sRGB codes, in rows from the top, up to 10 000 a side. A place is
 // (column, row). Random numbers come from given/random.hpp: they depend on the arguments alone, so a still picture is
 // painted the same way each time.
 #pragma once
@@ -68,9 +68,9 @@ struct Rows {
 /// Paints a stroke on the pixels of the canvas whose centres are at most `radius` away from the line between the
 /// centres of the pixels `from` and `to`. Red, green and blue become (opacity * colour + (255 - opacity) * before) /
 /// 255, rounded to the nearest whole number; the opacity of a pixel stays. Only the given rows, which are rows of the
-/// canvas, are changed or even read: other threads paint the others. If `regions` (one number for each pixel) is not
-/// empty, only pixels of the stroke's own region and of region 0 are painted. All coordinates are within -10 000 ..
-/// 10 000, so everything can be decided in whole numbers, without rounding. Handout, section 7.
+/// canvas, are changed or even read: other threads paint the others. If `regions` (a number for each pixel of the
+/// canvas) is not empty, only pixels of the stroke's own region and of region 0 are painted. All coordinates are within
+/// -10 000 .. 10 000, so everything can be decided in whole numbers, without rounding. Handout, section 7.
 /// From (1, 0) to (3, 0) with radius 1: the pixels 0 to 4 of row 0, and 1 to 3 of row 1.
 void paint_stroke(Picture& canvas, const Stroke& stroke, Rows rows, std::span<const int> regions);
 

@@ -45,7 +45,7 @@ Choices read_choices(std::string_view text, const std::string& where) {
     const std::string_view line = trimmed(text.substr(begin, end - begin));
     begin = end + 1;
     ++number;
-    if (line.empty() || line.starts_with("//")) continue;
+    if (line.empty() || line.starts_with("//") || line.starts_with("#")) continue;
     const auto colon = line.find(':'), equals = line.find('=', colon == line.npos ? 0 : colon);
     const std::string_view name = trimmed(line.substr(0, colon));
     const std::string_view setting =

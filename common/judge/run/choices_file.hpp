@@ -1,6 +1,6 @@
 // choices.txt: the settings that a student chooses for budget cases.
 //
-//   // a line that begins with two slashes is a comment
+//   // a line that begins with two slashes, or with #, is a comment
 //   hall-choice: hall.segments = 24
 //   shine-choice: specular.power = stable
 //

@@ -111,6 +111,7 @@ TEST_CASE("choices.txt is read line by line") {
   CHECK(choices.at("sky").at("above") == SettingValue(Colour(0.2, 0.5, 1)));
   CHECK(choices.at("sky").at("below") == SettingValue(parse_colour("#3380ff").value()));
   CHECK(read_choices("", "choices.txt").empty());
+  CHECK(read_choices("# words\na: b = 1\n  # more", "choices.txt").size() == 1);
   CHECK(read_choices("\xef\xbb\xbf// made elsewhere\na: b = 1", "choices.txt").size() == 1);
   // No number and no colour: the program's setting says so by its name.
   for (const char* text : {"nan", "inf", "-inf", "1e999", "0x20", "1,1", "1,nan,1", "#fff", "#12345g"})
