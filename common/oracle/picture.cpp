@@ -101,7 +101,7 @@ void trace_row(const World& world, const Portals& portals, const CameraRays& cam
         if (!request.lens)
           sum += sample(world, portals, camera, request, camera.through(place));
         else if (const auto direction = request.lens(place / glm::dvec2(request.size)))
-          sum += sample(world, portals, camera, request, camera.along(glm::normalize(*direction)));
+          sum += sample(world, portals, camera, request, camera.along(*direction));
       }
     const glm::vec3 mean(sum / double(n * n));
     image.at(x, y) = {mean.r, mean.g, mean.b, 1};
@@ -156,6 +156,7 @@ Image trace(const World& world, const PictureRequest& request) {
   if (request.samples < 1 || request.samples > 64)
     throw Error(fmt::format("{} x {} samples a pixel (allowed: 1 x 1 to 64 x 64)", request.samples, request.samples));
   validate(request.shading);
+  if (request.lens && request.output == Output::depth) throw Error("depths under a lens have no ground truth");
   Image image(request.size.x, request.size.y);
   const CameraRays camera(request.camera, request.size);
   const Portals portals(world.scene());

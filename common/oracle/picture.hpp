@@ -30,7 +30,8 @@ std::vector<std::string> output_names();
 Output output_named(const std::string& name);
 
 /// What a lens shows at a place of the picture, (0, 0) its upper left corner and (1, 1) the lower right one: the
-/// direction in view space (x right, y up, -z ahead; any length), or none: black.
+/// direction in view space (x right, y up, -z ahead), or none: black. The near and far planes are at these multiples of
+/// its length.
 using Lens = std::function<std::optional<glm::dvec3>(const glm::dvec2& place)>;
 
 struct PictureRequest {
@@ -47,7 +48,8 @@ struct PictureRequest {
 };
 
 /// Traces a picture, row 0 on top, opacity 1. Each pixel is the mean of its samples. Throws Error if size, samples,
-/// portal depth or soft shadows are out of range, and what `shading.surface` or `progress` throws.
+/// portal depth or soft shadows are out of range, for depths under a lens, and what `shading.surface` or `progress`
+/// throws.
 Image trace(const World& world, const PictureRequest& request);
 
 }  // namespace atelier::oracle

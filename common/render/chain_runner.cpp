@@ -170,6 +170,10 @@ void ChainRunner::run(const std::vector<ChainPass>& given, ColourFormat format, 
     throw Error("a chain of passes needs the functions of step 08, which this program does not pass to the renderer");
   std::vector<ChainPass> passes = given;
   if (on_cpu(passes.back())) passes.push_back(copy_pass());
+  for (const ChainPass& pass : passes)
+    if (pass.begins && (on_cpu(pass) || std::ranges::count(pass.reads, "colour") > 0))
+      throw Error(
+          fmt::format("pass '{}' begins a picture: it must be a shader that does not read 'colour'", pass.name));
   Pictures pictures = draw_scene(passes, format, target, draw);
   const Target* source = passes.front().begins ? nullptr : pictures.scene.get();
   int at = -1;

@@ -24,8 +24,8 @@ float edge_strength(sampler2D picture, vec2 texcoord, vec2 pixel) {
 // A colour in one of six greys, with ink over it. Its brightness is the square root of its luma (step 08's
 // `float luma(vec3)`), which is taken as 1 if it is above; the grey has the nearest of the brightnesses 0, 1/5, 2/5,
 // 3/5, 4/5, 1, half way between two either. The light of a grey is the square of its brightness. Where the edge is
-// `low` or weaker there is no ink, and the result is this grey; where it is `high` or stronger, it is black. Between them
-// the share of ink is 3 t^2 - 2 t^3, t being 0 at `low` and 1 at `high`. 0 <= low < high. Handout, section 2.
+// `low` or weaker there is no ink, and the result is this grey; where it is `high` or stronger, it is black. Between
+// them the share of ink is 3 t^2 - 2 t^3, t being 0 at `low` and 1 at `high`. 0 <= low < high. Handout, section 2.
 vec3 toon(vec3 colour, float edge, float low, float high) {
   // TODO(10-artstyles): a grey, then ink
   return colour;
@@ -73,7 +73,7 @@ vec3 colour_in_direction(sampler2D picture, vec3 direction, vec2 half_size) {
 }
 
 // The picture with its channels apart. Channel c (0 red, 1 green, 2 blue) comes from the place in the same direction
-// from the centre, at 1 + amount * sin(2 pi (turns + c / 3)) times the distance. turns is 0..1000. Handout, section 4.
+// from the centre, at 1 + amount * sin(2 pi (turns + c / 3)) times the distance. turns is 0..10. Handout, section 4.
 vec3 aberrated(sampler2D picture, vec2 texcoord, float amount, float turns) {
   // TODO(10-artstyles): three places
   return texture(picture, texcoord).rgb;

@@ -44,9 +44,9 @@ struct Brush {
   float full = 0.5f;              ///< the relative contrast that takes the smallest brush, above 0
 };
 
-/// The radius of the brush at a pixel of the picture. The relative contrast c is the standard deviation (of all the
-/// values, not of a sample of them) divided by the mean of the greys in the square of 2 * reach + 1 pixels a side
-/// around the centre, as far as it is inside the picture; c is 0 where all are black. The radius falls evenly from
+/// The radius of the brush at `centre`, a pixel of the picture. The relative contrast c is the standard deviation (of
+/// all the values, not of a sample of them) divided by the mean of the greys in the square of 2 * reach + 1 pixels a
+/// side around the centre, as far as it is inside the picture; c is 0 where all are black. The radius falls evenly from
 /// `largest` at c = 0 to `smallest` at c = full, and is `smallest` beyond; it is rounded to the nearest whole number,
 /// half way either is right. Handout, section 6.
 int brush_radius(const Greys& greys, glm::ivec2 centre, const Brush& brush);
@@ -54,7 +54,7 @@ int brush_radius(const Greys& greys, glm::ivec2 centre, const Brush& brush);
 /// One stroke of a round brush along a straight line.
 struct Stroke {
   glm::ivec2 from{0}, to{0};  ///< the ends of the line; they may be outside the picture, and the same
-  int radius = 0;             ///< pixels, at least 0
+  int radius = 0;             ///< pixels, 0..1000
   glm::u8vec4 colour{0};      ///< its opacity is not used
   int opacity = 255;          ///< of the paint, 0..255
   int region = 0;             ///< which part of the picture it may paint

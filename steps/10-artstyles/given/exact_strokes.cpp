@@ -50,8 +50,11 @@ bool near_line(glm::i64vec2 p, glm::i64vec2 from, glm::i64vec2 to, std::int64_t 
 }
 
 void exact_paint(Picture& canvas, const Stroke& stroke, Rows rows, std::span<const int> regions) {
-  for (int y = rows.first; y < rows.end; ++y)
-    for (int x = 0; x < canvas.width; ++x) {
+  // A box with more than a stroke can cover.
+  const int margin = stroke.radius + 2;
+  const glm::ivec2 low = glm::min(stroke.from, stroke.to) - margin, high = glm::max(stroke.from, stroke.to) + margin;
+  for (int y = std::max(rows.first, low.y); y < std::min(rows.end, high.y); ++y)
+    for (int x = std::max(low.x, 0); x < std::min(high.x, canvas.width); ++x) {
       const auto at = std::size_t(y * canvas.width + x);
       const bool mine = regions.empty() || regions[at] == 0 || regions[at] == stroke.region;
       if (!mine || !near_line({x, y}, stroke.from, stroke.to, stroke.radius)) continue;

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
 #include "02-blinn-phong/given/shaders_alone.hpp"
 #include "08-post-processing/given/post_chain.hpp"
 #include "base/error.hpp"
+#include "oracle/frame.hpp"
 
 namespace atelier {
 
@@ -140,13 +140,14 @@ bool begins_with_cube(const Settings& settings) {
 
 // ---- Views
 
+glm::dmat3 view_axes(const Camera& camera) {
+  const oracle::ViewFrame frame = oracle::view_frame(camera.target - camera.eye, glm::dvec3(camera.up));
+  return {frame.right, frame.up, -frame.ahead};
+}
+
 namespace {
 
 const char* const glsl_file = "10-artstyles/given/style_passes.glsl";
-
-glm::dmat3 view_to_world(const Camera& camera) {
-  return glm::dmat3(glm::inverse(glm::lookAt(camera.eye, camera.target, glm::dvec3(camera.up))));
-}
 
 void check_perspective(const View& view, const char* setting) {
   if (view.camera.projection == Projection::orthographic)
@@ -164,9 +165,10 @@ constexpr std::array<Face, 6> faces = {{{{1, 0, 0}, {0, -1, 0}},
                                         {{0, 0, 1}, {0, -1, 0}},
                                         {{0, 0, -1}, {0, -1, 0}}}};
 
-/// Whether a cone around -z sees something of a face: its nearest point is in the middle of the face ahead, 45 degrees
-/// from the axis on those at the sides, and at the corners of the one behind.
-bool sees_face(std::size_t face, double half_angle) {
+/// Whether a cone around -z reads something of a face: its nearest point is in the middle of the face ahead, 45 degrees
+/// from the axis on those at the sides, and at the corners of the one behind. Filters read up to half a texel farther.
+bool sees_face(std::size_t face, double cone, int edge) {
+  const double half_angle = cone + std::atan(1.0 / edge);
   const double corner = std::numbers::pi - std::atan(std::numbers::sqrt2);
   return face == 5 || half_angle > (face == 4 ? corner : std::numbers::pi / 4);
 }
@@ -197,9 +199,9 @@ void CubeOfViews::draw_views(Gl& gl, const Scene&, const Viewpoint& viewpoint, S
   check_perspective(viewpoint.view, "fisheye.from=cube");
   cube_ = painter.targets().take(CubeTargetSpec{.edge = edge_, .depth = DepthFormat::depth32f});
   const Camera& camera = viewpoint.view.camera;
-  const glm::dmat3 to_world = view_to_world(camera);
+  const glm::dmat3 to_world = view_axes(camera);
   for (std::size_t i = 0; i < faces.size(); ++i) {
-    if (!all_faces_ && !sees_face(i, half_angle_)) continue;
+    if (!all_faces_ && !sees_face(i, half_angle_, edge_)) continue;
     View view = viewpoint.view;
     view.output = "colour";
     view.passes = false;
@@ -265,6 +267,7 @@ ChainPass StylePasses::shader_pass(const char* name, const char* function, const
 void StylePasses::read_surfaces(ChainPass& pass, const View& view, bool behind_lens) const {
   if (behind_lens && cube_)
     throw Error("toon.outlines=surface after fisheye.from=cube: the six views have colours alone; use colour");
+  check_perspective(view, "lines from surfaces (toon.outlines, output 'steps')");
   pass.reads = {"position", "normal"};
   pass.structure["SURFACES"] = "1";
   if (behind_lens) pass.structure["BEHIND_LENS"] = "1";
@@ -272,8 +275,7 @@ void StylePasses::read_surfaces(ChainPass& pass, const View& view, bool behind_l
     lens(binder);
     const Camera& camera = view.camera;
     binder.set("u_eye_of_view", view.camera_relative ? glm::vec3(0) : glm::vec3(camera.eye));
-    binder.set("u_ahead", glm::vec3(-view_to_world(camera)[2]));
-    binder.set("u_far", camera.projection == Projection::orthographic ? camera.far : 0.0f);
+    binder.set("u_ahead", glm::vec3(-view_axes(camera)[2]));
   };
 }
 
@@ -325,6 +327,8 @@ ChainPass StylePasses::style_pass(std::size_t i, const char* name, const View& v
 }
 
 ChainPass StylePasses::relief_pass(const View& view) const {
+  if (cube_) throw Error("output 'relief' after fisheye.from=cube: the six views have colours alone");
+  if (styles_[0] == Style::fisheye && equidistant_) check_perspective(view, "fisheye.lens=equidistant");
   ChainPass pass = shader_pass("relief", "relief_pass", view);
   pass.reads = {"normal"};
   pass.begins = true;
@@ -332,7 +336,7 @@ ChainPass StylePasses::relief_pass(const View& view) const {
   if (styles_[0] == Style::fisheye) pass.structure["BEHIND_LENS"] = "1";
   pass.bind = [view, lens = pass.bind](Binder& binder) {
     lens(binder);
-    binder.set("u_world_to_view", glm::mat3(glm::transpose(view_to_world(view.camera))));
+    binder.set("u_world_to_view", glm::mat3(glm::transpose(view_axes(view.camera))));
   };
   return pass;
 }

@@ -24,10 +24,8 @@ vec2 lens_source(vec2 texcoord) {
 
 #ifdef SURFACES
 uniform vec3 u_eye_of_view, u_ahead;
-uniform float u_far;  // of an orthographic camera; 0 for others
 
-// The normal and 1/depth in a pixel, all 0 where nothing is seen. An orthographic camera has the depth itself, counted
-// from the far plane, so that it changes evenly on planes.
+// The normal and 1/depth in a pixel, all 0 where nothing is seen.
 vec4 surface_at(vec2 texcoord) {
 #ifdef BEHIND_LENS
   texcoord = lens_source(texcoord);
@@ -36,7 +34,7 @@ vec4 surface_at(vec2 texcoord) {
   vec3 code = texture(u_normal, texcoord).rgb;
   if (code == vec3(0.0)) return vec4(0.0);
   float depth = dot(texture(u_position, texcoord).rgb - u_eye_of_view, u_ahead);
-  return vec4(normalize(2.0 * code - 1.0), u_far > 0.0 ? u_far - depth : 1.0 / depth);
+  return vec4(normalize(2.0 * code - 1.0), 1.0 / depth);
 }
 
 vec4 surface_beside(vec2 texcoord, float columns, float rows) {
@@ -116,14 +114,19 @@ vec4 aberration_pass(vec2 texcoord) {
 #ifdef RELIEF
 uniform mat3 u_world_to_view;
 
-// By central differences, in half heights.
+// The derivatives of the lens, in half heights: the mean of the differences to both sides, or the one to the inner side
+// where the lens shows nothing on the other.
 mat2 lens_jacobian(vec2 texcoord) {
-  const float h = 0.002;
-  vec2 half_size = 0.5 * vec2(u_size.y / u_size.x, 1.0);  // one half height, in texture coordinates
+  const float h = 0.001;
+  vec2 half_height = 0.5 * vec2(u_size.y / u_size.x, 1.0);  // in texture coordinates
+  vec2 here = lens_source(texcoord);
   mat2 jacobian;
   for (int i = 0; i < 2; ++i) {
-    vec2 step = vec2(i == 0 ? h : 0.0, i == 1 ? h : 0.0) * half_size;
-    jacobian[i] = (lens_source(texcoord + step) - lens_source(texcoord - step)) / (2.0 * h * half_size);
+    vec2 offset = vec2(i == 0 ? h : 0.0, i == 1 ? h : 0.0) * half_height;
+    vec2 after = lens_source(texcoord + offset), before = lens_source(texcoord - offset);
+    if (after == vec2(-1.0)) after = 2.0 * here - before;
+    if (before == vec2(-1.0)) before = 2.0 * here - after;
+    jacobian[i] = (after - before) / (2.0 * h * half_height);
   }
   return jacobian;
 }

@@ -26,6 +26,9 @@ Styles styles_of(const Settings& settings);
 /// Whether the picture begins with a lens that sees six views: the first style, if it is a fish-eye from a cube.
 bool begins_with_cube(const Settings& settings);
 
+/// The axes of view space in the world: right, up, and backwards.
+glm::dmat3 view_axes(const Camera& camera);
+
 /// The six views around the eye, and the pass that begins the picture with them.
 class CubeOfViews : public Feature {
  public:

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <vector>
 
@@ -68,23 +67,20 @@ struct Camera3 {
   glm::dmat3 to_world{1};
   glm::dvec3 eye{0};
   bool orthographic = false;
-  double far = 1;
 };
 
 Camera3 camera_of(const Camera& camera, const glm::ivec2& size) {
   const double above = std::tan(double(camera.fov_y) / 2);
   return {.half = {above * size.x / size.y, above},
-          .to_world = glm::dmat3(glm::inverse(glm::lookAt(camera.eye, camera.target, glm::dvec3(camera.up)))),
+          .to_world = view_axes(camera),
           .eye = camera.eye,
-          .orthographic = camera.projection == Projection::orthographic,
-          .far = double(camera.far)};
+          .orthographic = camera.projection == Projection::orthographic};
 }
 
-/// A lens as a function of places. Half angle and exponents as in the settings.
+/// A lens as a function of places.
 struct LensShape {
   bool equidistant;
   double half_angle, strength, power;
-  bool all_around;  ///< it sees more than the picture
   glm::dvec2 half;  ///< Camera3::half
   double aspect;
 
@@ -93,25 +89,24 @@ struct LensShape {
         half_angle(settings.real("fisheye.angle") * std::numbers::pi / 360),
         strength(settings.real("fisheye.strength")),
         power(settings.real("fisheye.power")),
-        all_around(begins_with_cube(settings)),
         half(camera.half),
         aspect(camera.half.x / camera.half.y) {}
 
   bool inside(const glm::dvec2& place) const { return std::abs(place.x) <= aspect && std::abs(place.y) <= 1; }
 
-  /// View space; none: black.
-  std::optional<glm::dvec3> direction(const glm::dvec2& place) const {
+  /// View space; none: black. All around, or as far as the picture shows it. Planes of the camera, or of a cube's
+  /// faces, are at multiples of its length.
+  std::optional<glm::dvec3> direction(const glm::dvec2& place, bool all_around) const {
     if (!equidistant) {
       const auto from = source(place);
-      if (!from) return {};
-      return glm::dvec3(*from * half.y, -1);
+      return from ? std::optional(glm::dvec3(*from * half.y, -1)) : std::nullopt;
     }
     const double angle = glm::length(place) * half_angle;
     if (angle > half_angle) return {};
     const glm::dvec2 way = angle > 0 ? glm::normalize(place) : glm::dvec2(0);
     const glm::dvec3 d(way * std::sin(angle), -std::cos(angle));
-    if (!all_around && (d.z >= 0 || !inside(glm::dvec2(d) / -d.z / half.y))) return {};
-    return d;
+    if (all_around) return d / std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
+    return d.z < 0 && inside(glm::dvec2(d) / -d.z / half.y) ? std::optional(d / -d.z) : std::nullopt;
   }
 
   /// The place of the picture from which this one takes its colour.
@@ -120,8 +115,8 @@ struct LensShape {
       const glm::dvec2 from = place * (1 + strength * std::pow(glm::length(place), power));
       return inside(from) ? std::optional(from) : std::nullopt;
     }
-    const auto d = direction(place);
-    return d ? std::optional(glm::dvec2(*d) / -d->z / half.y) : std::nullopt;
+    const auto d = direction(place, false);
+    return d ? std::optional(glm::dvec2(*d) / half.y) : std::nullopt;
   }
 
   /// The place at which the lens shows this one.
@@ -196,7 +191,7 @@ struct Geometry {
     const glm::dvec3 code = rgb(normals.at(x, y));
     if (code == glm::dvec3(0)) return glm::dvec4(0);
     const double depth = -(glm::transpose(camera.to_world) * (rgb(positions.at(x, y)) - camera.eye)).z;
-    return {glm::normalize(2.0 * code - 1.0), camera.orthographic ? camera.far - depth : 1 / depth};
+    return {glm::normalize(2.0 * code - 1.0), 1 / depth};
   }
 
   glm::dvec2 steps(int x, int y) const {
@@ -255,10 +250,96 @@ Image painted(const Image& image, const Settings& settings) {
   });
 }
 
-/// Changes nothing but places, so that it may come before passes that handle one pixel after another.
-bool chain_handles_pixels(const Settings& settings) {
-  return settings.real("bloom.strength") == 0 && settings.real("overlay.amount") == 0;
+// ---- Relief
+
+/// The normal in view space that the lens shows at a place, whose source has this one: that of a plane, by its heights.
+glm::dvec3 behind_lens(const glm::dvec3& normal, const LensShape& lens, const glm::dvec2& place) {
+  constexpr double h = 1e-4;
+  const glm::dvec2 here = lens.source(place).value();
+  /// The difference of heights along one axis of the picture, by its length; on one side alone at the lens's edge.
+  const auto slope = [&](const glm::dvec2& step) {
+    const auto after = lens.source(place + step), before = lens.source(place - step);
+    const glm::dvec2 way = after.value_or(here) - before.value_or(here);
+    return -(normal.x * way.x + normal.y * way.y) / normal.z / (h * ((after ? 1 : 0) + (before ? 1 : 0)));
+  };
+  return glm::normalize(glm::dvec3(-slope({h, 0}), -slope({0, h}), 1));
 }
+
+Image relief_of(const Image& normals, const Camera3& camera, const std::optional<LensShape>& lens) {
+  return drawn(size_of(normals), [&](int x, int y) {
+    const glm::dvec2 place = place_of(x + 0.5, y + 0.5, size_of(normals));
+    const auto from = lens ? lens->source(place) : std::optional(place);
+    if (!from) return glm::dvec3(0);
+    const double u = (from->x * normals.height() + normals.width()) / 2, v = (1 - from->y) * normals.height() / 2;
+    const glm::dvec3 code = rgb(clamped(normals, int(std::floor(u)), int(std::floor(v))));
+    if (code == glm::dvec3(0)) return glm::dvec3(0);
+    glm::dvec3 normal = glm::transpose(camera.to_world) * glm::normalize(2.0 * code - 1.0);
+    normal = glm::normalize(glm::dvec3(normal.x, normal.y, std::max(normal.z, 0.01)));  // no overhangs
+    return 0.5 * (lens ? behind_lens(normal, *lens, place) : normal) + 0.5;
+  });
+}
+
+// ---- All together
+
+/// What the styles of a picture need.
+struct Studio {
+  Settings settings;
+  std::string wanted;  ///< the output
+  Camera3 camera;
+  LensShape lens;
+  std::function<Image(const char* output)> trace;  ///< of the scene without lens and styles
+
+  Styles styles = styles_of(settings);
+  bool cube = begins_with_cube(settings);
+
+  bool first_is_lens() const { return styles[0] == Style::fisheye; }
+
+  /// Whether the lens is undone afterwards.
+  bool restores() const {
+    return settings.flag("fisheye.restored") && (wanted == "colour" || wanted == "edges") &&
+           std::ranges::count(styles, Style::fisheye) > 0;
+  }
+
+  /// Whether rays go where the first style's lens looks; otherwise it looks at the picture. All that may come between
+  /// them are passes that handle one pixel after another.
+  bool traces_lens() const {
+    const bool pixels_alone = settings.real("bloom.strength") == 0 && settings.real("overlay.amount") == 0;
+    return cube || (first_is_lens() && !restores() && !camera.orthographic && pixels_alone);
+  }
+
+  Geometry surfaces(bool behind_lens) const {
+    return {trace("position"), trace("normal"), camera, behind_lens ? std::optional(lens) : std::nullopt};
+  }
+
+  Image styled(Image image, std::size_t i) const {
+    switch (styles[i]) {
+      case Style::painterly:
+        return painted(image, settings);
+      case Style::aberration:
+        return aberrated(image, settings);
+      case Style::fisheye:
+        return i == 0 && traces_lens() ? image : through_lens(image, lens);
+      case Style::toon: {
+        const std::string& outlines = settings.choice("toon.outlines");
+        const bool reads = outlines == "surface" || outlines == "both";
+        return toon(image, settings, reads ? surfaces(i == 1 && first_is_lens()) : Geometry{});
+      }
+      case Style::none:
+        break;
+    }
+    return image;
+  }
+
+  /// From the picture of step 08's chain to the wanted output.
+  Image finished(Image image) const {
+    image = styled(std::move(image), 0);
+    if (wanted == "first") return image;
+    image = styled(std::move(image), 1);
+    if (restores()) image = restored(image, lens);
+    if (wanted != "edges") return image;
+    return drawn(size_of(image), [&](int x, int y) { return glm::dvec3(edge_at(image, x, y) / std::sqrt(20.0)); });
+  }
+};
 
 }  // namespace
 
@@ -275,13 +356,6 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
     if (light.type == LightType::point) light.casts_shadow = false;  // as in the program: see step 04
   if (!is_own && wanted != "colour") return truth;
 
-  const Camera3 camera = camera_of(apply(request.camera, truth.scene.camera), request.size);
-  const LensShape lens(settings, camera);
-  const Styles styles = styles_of(settings);
-  const bool restores = settings.flag("fisheye.restored");
-  const bool traces_lens = styles[0] == Style::fisheye && !restores && !camera.orthographic &&
-                           (lens.all_around || chain_handles_pixels(settings)) && wanted != "steps" &&
-                           wanted != "relief";
   SceneTruth geometry = truth;
   geometry.finish = nullptr;
   geometry.output.clear();
@@ -291,66 +365,25 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
     other.samples = 1;
     return trace_scene(geometry, other, {}, settings);
   };
-  const auto surfaces = [=](bool behind_lens) {
-    return Geometry{trace("position"), trace("normal"), camera, behind_lens ? std::optional(lens) : std::nullopt};
-  };
-  if (wanted == "relief") {
+  const Camera3 camera = camera_of(apply(request.camera, truth.scene.camera), request.size);
+  const Studio studio{settings, wanted, camera, LensShape(settings, camera), trace};
+  if (wanted == "steps" || wanted == "relief") {
     truth = geometry;
     truth.output = "normal";
     truth.finish = [=](const Image& normals) {
-      const bool distorts = styles[0] == Style::fisheye;
-      return drawn(size_of(normals), [&](int x, int y) {
-        const glm::dvec2 place = place_of(x + 0.5, y + 0.5, size_of(normals));
-        const auto from = distorts ? lens.source(place) : std::optional(place);
-        if (!from) return glm::dvec3(0);
-        // Smooth or not, normals are filtered as the program does it.
-        const glm::dvec3 code =
-            rgb(clamped(normals, int(std::floor((from->x * normals.height() + normals.width()) / 2)),
-                        int(std::floor((1 - from->y) * normals.height() / 2))));
-        if (code == glm::dvec3(0)) return glm::dvec3(0);
-        glm::dvec3 normal = glm::transpose(camera.to_world) * glm::normalize(2.0 * code - 1.0);
-        normal = glm::normalize(glm::dvec3(normal.x, normal.y, std::max(normal.z, 0.01)));  // no overhangs
-        if (distorts) {
-          // A plane with this normal through the source has the slopes -n.xy / n.z; along both axes of the picture.
-          const double h = 1e-4;
-          const auto height = [&](const glm::dvec2& p) {
-            const auto at = lens.source(p).value_or(*from);
-            return -(normal.x * (at.x - from->x) + normal.y * (at.y - from->y)) / normal.z;
-          };
-          const double along = (height(place + glm::dvec2(h, 0)) - height(place - glm::dvec2(h, 0))) / (2 * h);
-          const double up = (height(place + glm::dvec2(0, h)) - height(place - glm::dvec2(0, h))) / (2 * h);
-          normal = glm::normalize(glm::dvec3(-along, -up, 1));
-        }
-        return 0.5 * normal + 0.5;
-      });
+      if (wanted == "relief")
+        return relief_of(normals, camera, studio.first_is_lens() ? std::optional(studio.lens) : std::nullopt);
+      const Geometry surfaces = studio.surfaces(false);
+      return drawn(size_of(normals), [&](int x, int y) { return glm::dvec3(surfaces.steps(x, y), 0); });
     };
     return truth;
   }
-  if (traces_lens)
-    truth.lens = [lens, aspect = lens.aspect](const glm::dvec2& at) {
-      return lens.direction({(2 * at.x - 1) * aspect, 1 - 2 * at.y});
+  if (studio.traces_lens())
+    truth.lens = [lens = studio.lens, cube = studio.cube](const glm::dvec2& at) {
+      return lens.direction({(2 * at.x - 1) * lens.aspect, 1 - 2 * at.y}, cube);
     };
-  truth.finish = [=, finish = truth.finish](Image image) {
-    if (finish) image = finish(std::move(image));
-    if (wanted == "steps") {
-      const Geometry g = surfaces(false);
-      return drawn(size_of(image), [&](int x, int y) { return glm::dvec3(g.steps(x, y), 0); });
-    }
-    for (std::size_t i = 0; i < styles.size(); ++i) {
-      if (styles[i] == Style::painterly) image = painted(image, settings);
-      if (styles[i] == Style::aberration) image = aberrated(image, settings);
-      if (styles[i] == Style::fisheye && !(i == 0 && traces_lens)) image = through_lens(image, lens);
-      if (styles[i] == Style::toon) {
-        const std::string& outlines = settings.choice("toon.outlines");
-        const bool reads = outlines == "surface" || outlines == "both";
-        image = toon(image, settings, reads ? surfaces(i == 1 && styles[0] == Style::fisheye) : Geometry{});
-      }
-      if (i == 0 && wanted == "first") return image;
-    }
-    const bool had_lens = std::ranges::count(styles, Style::fisheye) > 0;
-    if (wanted != "second" && restores && had_lens) image = restored(image, lens);
-    if (wanted != "edges") return image;
-    return drawn(size_of(image), [&](int x, int y) { return glm::dvec3(edge_at(image, x, y) / std::sqrt(20.0)); });
+  truth.finish = [studio, chain = truth.finish](Image image) {
+    return studio.finished(chain ? chain(std::move(image)) : std::move(image));
   };
   return truth;
 }

@@ -101,7 +101,7 @@ TEST_CASE("a lens replaces the projection", "[camera]") {
   scene.ambient = glm::vec3(1);
   add_object(scene, make_plane({.width = 100, .depth = 100}), 0);
   const oracle::World world(scene);
-  oracle::PictureRequest request{.camera = {.eye = {0, 2, 0}, .target = {0, 2, -1}, .near = 0.1f, .far = 1000},
+  oracle::PictureRequest request{.camera = {.eye = {1, 2, 0}, .target = {1, 2, -1}, .near = 0.1f, .far = 1000},
                                  .size = {4, 4},
                                  .output = oracle::Output::position};
   // Each place looks straight down, but the left half sees nothing.
@@ -110,9 +110,17 @@ TEST_CASE("a lens replaces the projection", "[camera]") {
   };
   const Image positions = oracle::trace(world, request);
   CHECK(positions.at(0, 1) == Rgba{0, 0, 0, 1});
+  CHECK(positions.at(3, 1).r == 1);
   CHECK(std::abs(positions.at(3, 1).g) < 1e-6f);
+  // The near plane is at multiples of the direction's length: the floor is 2 m away.
+  request.camera.near = 0.66f;
+  CHECK(oracle::trace(world, request).at(3, 1).r == 1);
+  request.camera.near = 0.7f;
+  CHECK(oracle::trace(world, request).at(3, 1).r == 0);
   request.output = oracle::Output::colour;
   CHECK(oracle::trace(world, request).at(0, 1) == Rgba{0, 0, 0, 1});  // not the background
+  request.output = oracle::Output::depth;
+  CHECK_THROWS_AS(oracle::trace(world, request), Error);
 }
 
 TEST_CASE("a camera that looks along its up vector uses the axis of the contract", "[camera]") {

@@ -136,6 +136,11 @@ TEST_CASE("a pass that begins a picture takes the place of the scene and of the 
   CHECK(stage.middle() == Rgba{0.375f, 0.75f, 1.125f, 1});
   CHECK(passes() == 3);
   CHECK(stage.middle("begin") == Rgba{0.25f, 0.5f, 0.75f, 1});
+  begin.reads = {"colour"};  // which is itself
+  stage.piece->chain = {begin};
+  CHECK(mentions(error_of([&] { stage.middle(); }), {"begin", "does not read 'colour'"}));
+  stage.piece->chain = {{.name = "paint", .begins = true, .on_bytes = [](ByteImage&, const PassInputs&) {}}};
+  CHECK(mentions(error_of([&] { stage.middle(); }), {"paint", "must be a shader"}));
 }
 
 TEST_CASE("a pass reads the nearest texel, or filters linearly", "[chain]") {
