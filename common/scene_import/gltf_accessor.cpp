@@ -121,15 +121,14 @@ Accessor find_accessor(const GltfFile& file, int index) {
   return {field, accessor_count(file, index), component_type(field), components_of(field)};
 }
 
-/// Calls put(element index, bytes) for every element in the file, first the dense ones, then the sparse ones.
+/// Calls put(element index, bytes) for every element in the file, first the dense ones, then the sparse ones. All
+/// others are zeros: an accessor may have no data at all.
 template <class Put>
 void for_each_element(const GltfFile& file, const Accessor& accessor, const Put& put) {
   const auto sparse = accessor.field.find("sparse");
   if (accessor.field.find("bufferView")) {
     const Run run = find_run(file, accessor.field, accessor.count, accessor.element(), true);
     for (std::size_t i = 0; i < accessor.count; ++i) put(i, run.element(i));
-  } else if (!sparse) {
-    accessor.field.fail("neither 'bufferView' nor 'sparse': it has no data (compressed by an extension?)");
   }
   if (!sparse) return;
   const auto count = std::size_t(sparse->at("count").integer(1, std::int64_t(accessor.count)));

@@ -55,6 +55,8 @@ Container split_glb(const std::string& name, std::string_view bytes) {
 void check_version(const GltfFile& file) {
   const std::string version = file.root().at("asset").at("version").text();
   if (!version.starts_with("2.")) file.root().fail(fmt::format("glTF of version '{}' (allowed: 2.x)", version));
+  const std::string least = file.root().at("asset").text_or("minVersion", "2.0");
+  if (least != "2.0") file.root().fail(fmt::format("it needs glTF of version '{}' (here: 2.0)", least));
 }
 
 /// Extensions that are supported, or that can be ignored without changing the shape of the model.
@@ -64,7 +66,19 @@ bool can_do_without(const std::string& extension) {
   return std::ranges::find(understood, extension) != std::end(understood) || extension.starts_with("KHR_materials_");
 }
 
+/// Of those that can be ignored, the ones that are not.
+bool is_used(const std::string& extension) {
+  return extension == "KHR_lights_punctual" || extension == "KHR_materials_pbrSpecularGlossiness" ||
+         extension == "KHR_materials_emissive_strength" || extension == "KHR_texture_transform" ||
+         extension == "KHR_mesh_quantization";
+}
+
 void check_extensions(const GltfFile& file) {
+  const auto used = file.root().find("extensionsUsed");
+  for (std::size_t i = 0; used && i < used->size(); ++i)
+    if (const std::string& extension = (*used)[i].text(); !is_used(extension))
+      file.notes->add(fmt::format("{}: what the extension '{}' says is left out", file.name, extension));
+
   const auto required = file.root().find("extensionsRequired");
   for (std::size_t i = 0; required && i < required->size(); ++i) {
     const std::string& extension = (*required)[i].text();

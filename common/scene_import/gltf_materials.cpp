@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "base/printable.hpp"
 #include "image_io/image_io.hpp"
 #include "scene_import/blinn_phong_of.hpp"
 #include "scene_import/references.hpp"
@@ -74,9 +75,12 @@ Material GltfMaterials::make(const JsonField& field) {
   material.emission = float(strength) * colour(field.numbers_or("emissiveFactor", {0, 0, 0}));
   if (const auto info = field.find("emissiveTexture"); info && material.emission != glm::vec3(0)) {
     // A material here has no emission texture: its mean keeps the total emitted light.
+    file_.notes->add(fmt::format("{}: pictures of emitted light are replaced by their mean colours", file_.name));
     if (const auto glow = picture(*info, Encoding::linear))
       material.emission *= glm::vec3(mean_of_channel(*glow, 0), mean_of_channel(*glow, 1), mean_of_channel(*glow, 2));
   }
+  if (const std::string mode = field.text_or("alphaMode", "OPAQUE"); mode != "OPAQUE")
+    file_.notes->add(fmt::format("{}: transparency is left out (alphaMode {})", file_.name, printable(mode)));
   material.two_sided = field.flag_or("doubleSided", false);
   return material;
 }
@@ -98,6 +102,8 @@ void GltfMaterials::read_metallic_roughness(Material& material, const JsonField&
   if (rough_picture) roughness *= mean_of_channel(*rough_picture, 1);
   material.exponent = exponent_of_roughness(roughness);
 
+  if (metallic > 0.5f)
+    file_.notes->add(fmt::format("{}: metals are approximations: nothing is mirrored in them", file_.name));
   const bool metal_varies = rough_picture && metallic > 0;
   if (!metal_varies && (metallic == 0 || !base_info)) {
     // The metallic value is constant: apply it to the factors, so that the texture can be shared.

@@ -118,6 +118,14 @@ std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primit
         fmt::format("{}: {} are left out", file.name, position ? "points and lines" : "shapes without positions"));
     return {};
   }
+  const auto extensions = primitive.find("extensions");
+  const JsonField positions = file.root().at("accessors")[std::size_t(*position)];
+  if (extensions && extensions->find("KHR_draco_mesh_compression") && !positions.find("bufferView"))
+    primitive.fail("its data is compressed (KHR_draco_mesh_compression), which is not supported");
+  if (primitive.at("attributes").find("COLOR_0"))
+    file.notes->add(fmt::format("{}: colours of vertices are left out", file.name));
+  if (primitive.size_or_zero("targets") > 0)
+    file.notes->add(fmt::format("{}: morph targets are left out: shapes are as without them", file.name));
   // Check the limits on the file's counts before allocating.
   const std::size_t count = accessor_count(file, *position);
   const auto indices = primitive.index_or_none("indices", accessors);

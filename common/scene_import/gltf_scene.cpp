@@ -55,8 +55,10 @@ void GltfReader::read() {
   const std::size_t count = file_.root().size_or_zero("nodes");
   std::vector<bool> seen(count, false);
   std::vector<Step> steps;
-  for (const int root : root_nodes()) steps.push_back({root, -1});
-  // An explicit stack instead of recursion: a chain of a million nodes must not overflow the call stack.
+  const std::vector<int> roots = root_nodes();
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root) steps.push_back({*root, -1});
+  // In the file's order: what is put on the stack last comes first. An explicit stack instead of recursion: a chain of
+  // a million nodes must not overflow the call stack.
   while (!steps.empty()) {
     const Step step = steps.back();
     steps.pop_back();
@@ -65,7 +67,8 @@ void GltfReader::read() {
     seen[step.index] = true;
     const int node = add_node(step.index, step.parent);
     const auto children = field.find("children");
-    for (std::size_t i = 0; children && i < children->size(); ++i) steps.push_back({(*children)[i].index(count), node});
+    for (std::size_t i = children ? children->size() : 0; i > 0; --i)
+      steps.push_back({(*children)[i - 1].index(count), node});
   }
   read_views_and_lights();
 }
@@ -225,6 +228,9 @@ void GltfReader::read_light(const JsonField& field, const glm::dmat4& world) {
   const double intensity = std::max(field.number_or("intensity", 1), 0.0);
   light.colour = float(intensity) * glm::max(glm::vec3(colour[0], colour[1], colour[2]), glm::vec3(0));
   light.position = glm::dvec3(world[3]);
+  if (field.find("range"))
+    file_.notes->add(
+        fmt::format("{}: the range of lights is left out: they reach as far as they are bright", file_.name));
   const glm::dvec3 ahead = -glm::dvec3(world[2]);
   if (glm::length(ahead) > 0) light.direction = glm::vec3(glm::normalize(ahead));
   if (const auto spot = field.find("spot")) {

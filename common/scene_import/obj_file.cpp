@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "base/error.hpp"
@@ -69,15 +70,31 @@ class ObjParser {
   }
 
   /// 1 is the first element of the list, -1 its last element so far.
-  int index(std::string_view text, const char* what, std::size_t count) {
+  int vertex(std::string_view text) {
+    const std::optional<long long> value = whole_number(text);
+    if (!value) lines_.fail(fmt::format("'{}' is not a vertex number", text.substr(0, 40)));
+    const std::optional<int> place = place_in(*value, file_.positions.size());
+    if (!place) lines_.fail(fmt::format("vertex {} of {}", *value, file_.positions.size()));
+    return *place;
+  }
+
+  /// The same of what a corner may lack; -1 for a number that names nothing.
+  int attribute(std::string_view text, std::size_t count) {
+    const std::optional<long long> value = whole_number(text);
+    const std::optional<int> place = value ? place_in(*value, count) : std::nullopt;
+    if (!place) ++file_.missing_attributes;
+    return place.value_or(-1);
+  }
+
+  static std::optional<long long> whole_number(std::string_view text) {
     long long value = 0;
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (problem != std::errc() || end != text.data() + text.size())
-      lines_.fail(fmt::format("'{}' is not a {} number", text.substr(0, 40), what));
+    return problem == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
+  }
+
+  static std::optional<int> place_in(long long value, std::size_t count) {
     const long long place = value > 0 ? value - 1 : (long long)(count) + value;
-    if (value == 0 || place < 0 || place >= (long long)(count))
-      lines_.fail(fmt::format("{} {} of {}", what, value, count));
-    return int(place);
+    return value == 0 || place < 0 || place >= (long long)(count) ? std::nullopt : std::optional(int(place));
   }
 
   /// "7", "7/2", "7//3" or "7/2/3".
@@ -85,10 +102,10 @@ class ObjParser {
     const std::size_t first = std::min(text.find('/'), text.size());
     const std::size_t second = first == text.size() ? first : std::min(text.find('/', first + 1), text.size());
     ObjCorner corner;
-    corner.position = index(text.substr(0, first), "vertex", file_.positions.size());
+    corner.position = vertex(text.substr(0, first));
     if (first + 1 < second)
-      corner.texcoord = index(text.substr(first + 1, second - first - 1), "texture coordinate", file_.texcoords.size());
-    if (second + 1 < text.size()) corner.normal = index(text.substr(second + 1), "normal", file_.normals.size());
+      corner.texcoord = attribute(text.substr(first + 1, second - first - 1), file_.texcoords.size());
+    if (second + 1 < text.size()) corner.normal = attribute(text.substr(second + 1), file_.normals.size());
     return corner;
   }
 

@@ -29,12 +29,13 @@ struct ObjFile {
   std::vector<ObjFace> faces;
   std::vector<std::string> objects;    ///< names of o and g; the first is the file's name
   std::vector<std::string> materials;  ///< names of usemtl
-  std::vector<std::string> libraries;  ///< names of mtllib
+  std::vector<std::string> libraries;  ///< the rests of the lines of mtllib: one name, or several
+  std::size_t missing_attributes = 0;  ///< numbers of texture coordinates and normals that there are not
 };
 
 /// Parses the file; skips faces with fewer than three corners, points, lines and free-form surfaces. Throws Error
-/// "file:line: ..." for an invalid number, a position that is not finite, an index out of range, a face of more than 10
-/// 000 corners, text that is not UTF-8 or ASCII, or if the limits of scene_import.hpp are exceeded.
+/// "file:line: ..." for an invalid number, a position that is not finite, a vertex number out of range, a face of more
+/// than 10 000 corners, text that is not UTF-8 or ASCII, or if the limits of scene_import.hpp are exceeded.
 ObjFile read_obj_file(const std::filesystem::path& path);
 
 }  // namespace atelier::scene_import

@@ -44,6 +44,7 @@ MtlPicture read_picture(TextLines& lines) {
     const std::string_view option = take();
     if (option == "-s" || option == "-o" || option == "-t") {
       for (int i = 0; i < 3 && next_is_number(); ++i) take();
+      picture.placed = true;
     } else if (option == "-mm") {
       take(), take();
     } else {
@@ -67,6 +68,10 @@ void read_statement(const std::string& keyword, TextLines& lines, MtlMaterial& m
     m.ns = lines.number().value_or(m.ns);
   else if (keyword == "illum")
     m.illum = int(std::clamp(lines.number().value_or(2), 0.0f, 10.0f));
+  else if (keyword == "d")
+    m.transparent = lines.number().value_or(1) < 1;
+  else if (keyword == "tr")
+    m.transparent = lines.number().value_or(0) > 0;
   else if (keyword == "map_kd")
     m.map_kd = read_picture(lines);
   else if (keyword == "map_ks")
@@ -88,23 +93,39 @@ bool is_grey(const Image& image) {
 /// Adds one material's textures; shares those that other materials use in the same way.
 struct PictureLoader {
   const std::filesystem::path& folder;
+  const std::string& folder_of_library;  ///< below it
   Scene& scene;
   std::map<std::string, int>& textures;
   Notes& notes;
 
   TextureIndex operator()(const MtlPicture& picture, Encoding encoding) const {
     if (picture.file.empty()) return {};
-    const std::string key = fmt::format("{}|{}|{}", int(encoding), picture.clamp, picture.file);
+    // Beside the library that names it, or beside the model.
+    const std::string beside = folder_of_library + "/" + picture.file;
+    const std::string file = !folder_of_library.empty() && has_file(folder, beside) ? beside : picture.file;
+    const std::string key = fmt::format("{}|{}|{}", int(encoding), picture.clamp, file);
     if (const auto found = textures.find(key); found != textures.end()) return found->second;
-    auto pixels = read_model_picture(folder, picture.file, encoding, notes);
+    auto pixels = read_model_picture(folder, file, encoding, notes);
     if (!pixels) return {};
-    return textures[key] = add_limited_texture(scene, {.name = picture.file,
+    if (picture.placed)
+      notes.add(
+          fmt::format("the picture '{}' is scaled or moved by its material library: that is left out", picture.file));
+    return textures[key] = add_limited_texture(scene, {.name = file,
                                                        .pixels = std::move(*pixels),
                                                        .wrap = picture.clamp ? Wrap::clamp_to_edge : Wrap::repeat});
   }
 };
 
 }  // namespace
+
+bool has_file(const std::filesystem::path& folder, const std::string& name) {
+  std::error_code ignored;
+  try {
+    return std::filesystem::is_regular_file(resolve_reference(folder, name), ignored);
+  } catch (const Error&) {
+    return false;
+  }
+}
 
 void read_mtl(const std::filesystem::path& folder, const std::string& name,
               std::map<std::string, MtlMaterial>& materials, Notes& notes) {
@@ -120,6 +141,8 @@ void read_mtl(const std::filesystem::path& folder, const std::string& name,
     notes.add(fmt::format("a material library is left out: there is no file '{}'", path.string()));
     return;
   }
+  std::string folder_of_library = std::filesystem::path(name).parent_path().generic_string();
+  std::ranges::replace(folder_of_library, '\\', '/');
   const std::string text = read_file(path);
   TextLines lines(text, path.string());
   MtlMaterial* material = nullptr;
@@ -128,16 +151,21 @@ void read_mtl(const std::filesystem::path& folder, const std::string& name,
     std::ranges::transform(keyword, keyword.begin(), [](unsigned char c) { return char(std::tolower(c)); });
     if (keyword == "newmtl") {
       material = &materials[std::string(lines.rest())];
-      *material = {};
+      *material = {.folder = folder_of_library};
     } else if (material) {
-      read_statement(keyword, lines, *material);
+      try {
+        read_statement(keyword, lines, *material);
+      } catch (const Error& error) {
+        notes.add(fmt::format("{}; this line of a material is left out", error.what()));
+      }
     }
   }
 }
 
 Material make_material(const std::string& name, const MtlMaterial& mtl, const std::filesystem::path& folder,
                        Scene& scene, std::map<std::string, int>& textures, Notes& notes) {
-  const PictureLoader load{folder, scene, textures, notes};
+  const PictureLoader load{folder, mtl.folder, scene, textures, notes};
+  if (mtl.transparent) notes.add(fmt::format("material '{}' is transparent: that is left out", name));
   Material material{.name = name, .diffuse = mtl.kd, .emission = mtl.ke, .two_sided = true};
   material.diffuse_texture = load(mtl.map_kd, Encoding::linear);
   if (material.diffuse_texture && mtl.kd == glm::vec3(0)) material.diffuse = glm::vec3(1);

@@ -15,18 +15,24 @@ namespace atelier::scene_import {
 struct MtlPicture {
   std::string file;  ///< empty: none
   bool clamp = false;
+  bool placed = false;  ///< has options that scale or move it, which are not used
 };
 
 /// A material in an MTL file. Colours are assumed to be linear.
 struct MtlMaterial {
+  std::string folder = {};  ///< of its library, below the model's; empty: the model's own
   glm::vec3 kd{0.8f}, ks{0}, ke{0};
   float ns = 0;
-  int illum = 2;  ///< 0 and 1: no highlight
+  int illum = 2;             ///< 0 and 1: no highlight
+  bool transparent = false;  ///< not used
   MtlPicture map_kd, map_ks, bump, normal, displacement;
 };
 
-/// Reads a library below `folder` into `materials`, by name. Adds a note if it is missing; throws Error "file:line:
-/// ..." if it is invalid.
+/// Whether there is such a file below `folder`.
+bool has_file(const std::filesystem::path& folder, const std::string& name);
+
+/// Reads a library below `folder` into `materials`, by name. Adds a note if it is missing, and for each statement that
+/// cannot be read: a material is no reason to refuse a model.
 void read_mtl(const std::filesystem::path& folder, const std::string& name,
               std::map<std::string, MtlMaterial>& materials, Notes& notes);
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <unordered_map>
 
 #include "base/error.hpp"
@@ -108,12 +109,23 @@ struct Group {
 
 /// The scene's material for each name in the file, and last the default for faces without a name.
 std::vector<int> add_materials(const ObjFile& obj, const std::filesystem::path& path, Scene& scene, Notes& notes) {
+  if (obj.missing_attributes > 0)
+    notes.add(fmt::format("{}: {} numbers of texture coordinates or normals name nothing and count as absent",
+                          path.string(), obj.missing_attributes));
   std::map<std::string, MtlMaterial> library;
-  for (const std::string& name : obj.libraries) read_mtl(path.parent_path(), name, library, notes);
+  for (const std::string& line : obj.libraries) {
+    // One name, which may contain blanks, or several.
+    std::istringstream words(line);
+    if (has_file(path.parent_path(), line) || line.empty())
+      read_mtl(path.parent_path(), line, library, notes);
+    else
+      for (std::string name; words >> name;) read_mtl(path.parent_path(), name, library, notes);
+  }
   std::map<std::string, int> textures;
   std::vector<int> places;
   for (const std::string& name : obj.materials) {
-    const auto found = library.find(name);
+    auto found = library.find(name);
+    if (found == library.end()) found = library.find(name.substr(0, name.find(" #")));  // with a comment
     if (found == library.end())
       notes.add(
           fmt::format("{}: material '{}' is in none of its libraries; grey is used instead", path.string(), name));

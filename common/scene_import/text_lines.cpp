@@ -49,13 +49,14 @@ bool TextLines::next() {
         line_ = joined_;
       }
     }
-    line_ = trimmed(line_.substr(0, line_.find('#')));
-    if (!line_.empty()) return true;
+    line_ = trimmed(line_);
+    if (!line_.empty() && line_[0] != '#') return true;
   }
   return false;
 }
 
 std::string_view TextLines::word() {
+  if (line_.starts_with('#')) line_ = {};
   const std::size_t end = std::min(line_.find_first_of(blanks), line_.size());
   const std::string_view word = line_.substr(0, end);
   line_ = trimmed(line_.substr(end));
@@ -66,9 +67,24 @@ std::string_view TextLines::rest() {
   return std::exchange(line_, std::string_view());
 }
 
+namespace {
+
+/// What Microsoft's C library has long written in place of a number: "1.#INF", "-1.#IND00", "1.#QNAN".
+std::optional<float> not_finite(std::string_view text) {
+  const std::size_t mark = text.find(".#");
+  if (mark == text.npos) return {};
+  const std::string_view kind = text.substr(mark + 2);
+  if (kind.starts_with("INF")) return text[0] == '-' ? -INFINITY : INFINITY;
+  if (kind.starts_with("IND") || kind.starts_with("QNAN") || kind.starts_with("SNAN")) return NAN;
+  return {};
+}
+
+}  // namespace
+
 std::optional<float> TextLines::number() {
   const std::string_view text = word();
   if (text.empty()) return {};
+  if (const auto value = not_finite(text)) return value;
   std::string_view digits = text;
   if (digits.starts_with('+')) digits.remove_prefix(1);
   // Through double, so that float underflow gives zero and overflow infinity.

@@ -8,8 +8,9 @@
 
 namespace atelier::scene_import {
 
-/// Reads a text line by line: removes comments (#), joins lines that end in a backslash with the next, accepts all
-/// kinds of line ends. Throws Error naming the file if the text is UTF-16 or contains null bytes.
+/// Reads a text line by line. A comment begins with # at the beginning of a line or of a word; names (`rest`) may
+/// contain it. Joins lines that end in a backslash with the next, accepts all kinds of line ends. Throws Error naming
+/// the file if the text is UTF-16 or contains null bytes.
 class TextLines {
  public:
   /// `text` must outlive this; `name` is for messages.
@@ -20,10 +21,10 @@ class TextLines {
 
   /// The next word of the line; empty if there is none.
   std::string_view word();
-  /// The rest of the line, without surrounding spaces.
+  /// The rest of the line, without surrounding spaces: a name.
   std::string_view rest();
   /// The next word as a number; none at the end of the line. Throws Error if it is not a number. Overflow gives
-  /// infinity.
+  /// infinity; "1.#INF", "1.#QNAN" and the like, which old programs write, are what they stand for.
   std::optional<float> number();
 
   /// Throws Error "file:line: complaint".

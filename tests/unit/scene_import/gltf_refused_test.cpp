@@ -23,6 +23,7 @@ TEST_CASE("broken glTF is refused in one sentence that names the field", "[scene
   const Row table[] = {
       {"no asset", [](json& d) { d.erase("asset"); }, {"'asset' is missing"}},
       {"version 1", [](json& d) { d["asset"]["version"] = "1.0"; }, {"version '1.0'"}},
+      {"a newer version", [](json& d) { d["asset"]["minVersion"] = "2.1"; }, {"version '2.1'"}},
       {"version as number", [](json& d) { d["asset"]["version"] = 2.0; }, {"asset.version", "text"}},
       {"unknown extension", [](json& d) { d["extensionsRequired"] = {"X_y"}; }, {"'X_y'"}},
       {"scene out of range", [](json& d) { d["scene"] = 1; }, {"scene: index 1 of 1"}},
@@ -73,7 +74,12 @@ TEST_CASE("broken glTF is refused in one sentence that names the field", "[scene
          d["accessors"][3]["count"] = 1;
        },
        {"unsigned"}},
-      {"no data", [](json& d) { d["accessors"][0].erase("bufferView"); }, {"accessors[0]", "no data"}},
+      {"data that are compressed",
+       [](json& d) {
+         d["accessors"][0].erase("bufferView");
+         d["meshes"][0]["primitives"][0]["extensions"]["KHR_draco_mesh_compression"] = json::object();
+       },
+       {"meshes[0].primitives[0]", "KHR_draco_mesh_compression"}},
       {"buffer missing", [](json& d) { d["buffers"][0]["uri"] = "other.bin"; }, {"buffers[0].uri", "other.bin"}},
       {"buffer too short", [](json& d) { d["buffers"][0]["byteLength"] = 105; }, {"buffers[0]", "104 bytes"}},
       {"buffer above the folder",

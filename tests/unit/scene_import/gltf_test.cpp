@@ -1,5 +1,6 @@
 // Importing glTF files, and fixing errors that viewers tolerate.
 #include <cmath>
+#include <functional>
 
 #include "catch.hpp"
 #include "scene_import/scene_import.hpp"
@@ -11,6 +12,8 @@ using atelier::test::bytes_of;
 using atelier::test::changed;
 using atelier::test::import_document;
 using atelier::test::mentions;
+using atelier::test::triangle_buffer;
+using atelier::test::triangle_document;
 using nlohmann::json;
 
 TEST_CASE("a triangle is imported from .gltf and .glb", "[scene_import]") {
@@ -177,6 +180,67 @@ TEST_CASE("cameras and lights have their nodes' transforms", "[scene_import]") {
         break;
     }
   }
+}
+
+TEST_CASE("nodes, cameras and lights come in the file's order", "[scene_import]") {
+  json document = triangle_document();
+  document["extensions"]["KHR_lights_punctual"]["lights"] =
+      json::parse(R"([{"type": "point", "name": "red"}, {"type": "point", "name": "green"}])");
+  document["cameras"] = json::parse(R"([
+    {"type": "perspective", "perspective": {"yfov": 0.5, "znear": 0.1, "zfar": 10}},
+    {"type": "perspective", "perspective": {"yfov": 1.0, "znear": 0.1, "zfar": 10}}])");
+  document["nodes"] = json::parse(R"([
+    {"name": "a", "mesh": 0, "children": [1, 2]},
+    {"name": "b", "camera": 1, "extensions": {"KHR_lights_punctual": {"light": 1}}},
+    {"name": "c", "camera": 0, "extensions": {"KHR_lights_punctual": {"light": 0}}},
+    {"name": "d", "mesh": 0}])");
+  document["scenes"][0]["nodes"] = {0, 3};
+  const Scene scene = import_document(document);
+  std::string names;
+  for (const Node& node : scene.nodes) names += node.name;
+  CHECK(names == "abcd");
+  CHECK(scene.camera.fov_y == 1.0f);
+  REQUIRE(scene.lights.size() == 2);
+  CHECK(scene.lights[0].name == "green");
+}
+
+TEST_CASE("what is left out of a glTF file is said, once a kind", "[scene_import]") {
+  const struct {
+    const char* note;
+    std::function<void(json&)> change;
+  } rows[] = {
+      {"colours of vertices", [](json& d) { d["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0; }},
+      {"morph targets",
+       [](json& d) { d["meshes"][0]["primitives"][0]["targets"] = json::parse(R"([{"POSITION": 0}])"); }},
+      {"transparency", [](json& d) { d["materials"][0]["alphaMode"] = "BLEND"; }},
+      {"metals", [](json& d) { d["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 1; }},
+      {"'KHR_materials_unlit'", [](json& d) { d["extensionsUsed"] = {"KHR_materials_unlit"}; }},
+      {"'EXT_mesh_gpu_instancing'", [](json& d) { d["extensionsUsed"] = {"EXT_mesh_gpu_instancing"}; }},
+      {"range of lights",
+       [](json& d) {
+         d["extensions"]["KHR_lights_punctual"]["lights"] = json::parse(R"([{"type": "point", "range": 2}])");
+         d["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
+       }},
+  };
+  for (const auto& row : rows) {
+    INFO(row.note);
+    json document = triangle_document();
+    row.change(document);
+    document["meshes"].push_back(document["meshes"][0]);  // twice, and said once
+    document["nodes"].push_back({{"mesh", 1}});
+    document["scenes"][0]["nodes"] = {0, 1};
+    std::vector<std::string> notes;
+    import_document(document, triangle_buffer(), &notes);
+    REQUIRE(notes.size() == 1);
+    CHECK(mentions(notes[0], {row.note}));
+  }
+}
+
+TEST_CASE("an accessor without data is all zeros", "[scene_import]") {
+  json document = triangle_document();
+  document["accessors"][2].erase("bufferView");
+  for (const Vertex& vertex : import_document(document).meshes.at(0).vertices)
+    CHECK(vertex.texcoord == glm::vec2(0, 1));  // rows count from the top there
 }
 
 TEST_CASE("errors that viewers tolerate are fixed, with a note", "[scene_import]") {

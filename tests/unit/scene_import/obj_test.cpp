@@ -186,12 +186,11 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
       {"vertex before the first", square + "f -5 1 2\n", {"vertex -5 of 4"}},
       {"vertex beyond integers", square + "f 99999999999999999999 1 2\n", {"'99999999999999999999'"}},
       {"vertex of letters", square + "f a b c\n", {"'a' is not a vertex number"}},
-      {"normal out of range", square + "f 1//1 2//1 3//1\n", {"normal 1 of 0"}},
-      {"texture coordinate out of range", square + "f 1/2 2/2 3/2\n", {"texture coordinate 2 of 0"}},
       {"two coordinates", "v 1 2\n", {":1: a vertex needs three"}},
       {"coordinate of letters", "v 1 2 three\n", {":1: 'three' is not a number"}},
       {"coordinate with a tail", "v 1 2 3x\n", {"'3x'"}},
       {"not a number", "v 0 nan 0\n", {"not finite"}},
+      {"not a number, as Microsoft's library writes it", "v 0 -1.#IND 0\n", {"not finite"}},
       {"endless", "v 0 0 -inf\n", {"not finite"}},
       {"beyond floats", "v 0 1e39 0\n", {"not finite"}},
       {"beyond doubles", "v 0 1e999 0\n", {"not finite"}},
@@ -208,9 +207,99 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
   std::string wide = square + "f";
   for (int i = 0; i < 10'001; ++i) wide += " 1";
   CHECK(mentions(error_of([&] { import_text(wide); }), {":5:", "10000 corners"}));
-  CHECK(
-      mentions(error_of([&] { import_text("mtllib model.mtl\nusemtl a\n" + square + "f 1 2 3", "newmtl a\nNs x\n"); }),
-               {"model.mtl:2", "'x'"}));
+}
+
+TEST_CASE("what a corner may lack is no reason to refuse a model", "[scene_import]") {
+  const struct {
+    const char* name;
+    std::string text;
+    const char* note;
+  } rows[] = {
+      {"normals that there are not", square + "f 1//1 2//1 3//1\n", "3 numbers of texture coordinates or normals"},
+      {"texture coordinates that there are not", square + "f 1/2 2/2 3/2\n", "3 numbers"},
+      {"texture coordinate 0", square + "vt 0 0\nf 1/0 2/1 3/1\n", "1 numbers"},
+      {"normals that are none", square + "vn -1.#IND00 -1.#IND00 -1.#IND00\nf 1//1 2//1 3//1\n", "had no direction"},
+      {"empty places", square + "f 1// 2// 3//\n", ""},
+  };
+  for (const auto& row : rows) {
+    INFO(row.name);
+    std::vector<std::string> notes;
+    const Scene scene = import_text(row.text, "", &notes);
+    REQUIRE(scene.meshes.size() == 1);
+    for (const Vertex& vertex : scene.meshes[0].vertices) CHECK(vertex.normal == glm::vec3(0, 0, 1));
+    CHECK(notes.size() == (*row.note ? 1u : 0u));
+    if (*row.note) CHECK(mentions(notes.at(0), {row.note}));
+  }
+}
+
+namespace {
+
+/// Two squares, each with a material of its own.
+std::string two_squares(const std::string& libraries, const std::string& first, const std::string& second) {
+  return "mtllib " + libraries + "\n" + square + "v 2 0 0\nv 3 0 0\nv 3 1 0\nvt 0 0\nusemtl " + first +
+         "\nf 1/1 2/1 3/1\nusemtl " + second + "\nf 5/1 6/1 7/1\n";
+}
+
+std::vector<glm::vec3> colours(const Scene& scene) {
+  std::vector<glm::vec3> found;
+  for (const Node& node : scene.nodes)
+    if (node.mesh) found.push_back(scene.materials[std::size_t(node.material)].diffuse);
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("names of materials, libraries and pictures are what their lines say", "[scene_import]") {
+  const glm::vec3 red(0.8f, 0, 0), green(0, 0.8f, 0);
+  const std::vector both = {red, green};
+  std::vector<std::string> notes;
+  CHECK(colours(import_text(two_squares("model.mtl", "Material #1", "Material #2"),
+                            "newmtl Material #1\nKd 0.8 0 0 # red\nnewmtl Material #2\n#Kd 1 1 1\nKd 0 0.8 0\n",
+                            &notes)) == both);
+  CHECK(notes.empty());
+  CHECK(colours(import_text(two_squares("model.mtl", "a # first", "b #second"),
+                            "newmtl a\nKd 0.8 0 0\nnewmtl b\nKd 0 0.8 0\n", &notes)) == both);
+  CHECK(notes.empty());
+
+  const TemporaryFolder folder;
+  const auto import = [&](const std::string& text) {
+    write_file(folder.path() / "model.obj", text);
+    notes.clear();
+    return import_scene(folder.path() / "model.obj", &notes);
+  };
+  std::filesystem::create_directory(folder.path() / "mats");
+  write_file(folder.path() / "a.mtl", "newmtl a\nKd 0.8 0 0\n");
+  write_file(folder.path() / "b.mtl", "newmtl b\nKd 0 0.8 0\n");
+  write_file(folder.path() / "a b.mtl", "newmtl a\nKd 0 0.8 0\nnewmtl b\nKd 0.8 0 0\n");
+  CHECK(colours(import(two_squares("a.mtl b.mtl", "a", "b"))) == both);
+  CHECK(notes.empty());
+  CHECK(colours(import(two_squares("a b.mtl", "b", "a"))) == both);  // the whole line comes first
+  CHECK(colours(import(two_squares("a.mtl none.mtl", "a", "b"))).at(0) == red);
+  CHECK(mentions(notes.at(0), {"none.mtl"}));
+
+  write_image(folder.path() / "tex#1.png", Image(2, 2));
+  write_image(folder.path() / "mats" / "inner.png", Image(3, 3));
+  write_file(folder.path() / "mats" / "m.mtl",
+             "newmtl a\nmap_Kd tex#1.png\nnewmtl b\nmap_Kd -s 2 2 1 inner.png\nd 0.2\n");
+  const Scene pictures = import(two_squares("mats/m.mtl", "a", "b"));
+  REQUIRE(pictures.textures.size() == 2);
+  CHECK(pictures.textures[0].pixels.width() == 2);  // beside the model
+  CHECK(pictures.textures[1].pixels.width() == 3);  // beside the library
+  REQUIRE(notes.size() == 2);
+  CHECK(mentions(notes[0] + notes[1], {"'b' is transparent", "'inner.png' is scaled or moved"}));
+}
+
+TEST_CASE("a material is no reason to refuse a model", "[scene_import]") {
+  for (const char* line : {"Kd xyz 0.4 0.3 0.2", "Kd 0,8 0,1 0,1", "illum illum_2", "Ns x"}) {
+    INFO(line);
+    std::vector<std::string> notes;
+    const Scene scene = import_text("mtllib model.mtl\nusemtl a\n" + square + "f 1 2 3\n",
+                                    std::string("newmtl a\nKd 0.2 0.3 0.4\n") + line + "\nKs 0.1 0.1 0.1\n", &notes);
+    CHECK(scene.materials.at(0).diffuse == glm::vec3(0.2f, 0.3f, 0.4f));
+    CHECK(scene.materials.at(0).specular == glm::vec3(0.1f));
+    REQUIRE(notes.size() == 1);
+    CHECK(mentions(notes[0], {"model.mtl:3: ", "left out"}));
+  }
 }
 
 TEST_CASE("material libraries outside the folder are not read", "[scene_import]") {
