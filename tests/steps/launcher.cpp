@@ -82,6 +82,21 @@ TEST_CASE("doctor reports that a program that does not start must be rebuilt", "
   CHECK(mentions(finished.output, {"does not start", "libfmt.so.9", "rm -r '" + machine.build().string() + "'"}));
 }
 
+TEST_CASE("doctor reports a build folder that was made for another checkout, or was moved", "[launcher]") {
+  const BareMachine machine;
+  const auto made_for = [&](const fs::path& source, const fs::path& place) {
+    write_file(machine.build() / "CMakeCache.txt",
+               std::string_view("# a comment\nCMAKE_CACHEFILE_DIR:INTERNAL=" + place.string() +
+                                "\nCMAKE_HOME_DIRECTORY:INTERNAL=" + source.string() + "\n"));
+    return machine.launch({"doctor"}).output;
+  };
+  fs::create_directories(machine.build());
+  CHECK(
+      mentions(made_for("/somewhere/else", machine.build()), {"was made for /somewhere/else", "fix: ./atelier list"}));
+  CHECK(mentions(made_for(folders().root, "/somewhere/build"), {"was moved", folders().root.string()}));
+  CHECK_FALSE(mentions(made_for(folders().root, machine.build()), {"was moved"}));
+}
+
 TEST_CASE("doctor with a build reports contexts and steps", "[launcher]") {
   const Finished finished = run_atelier({"doctor", "--found", "lack\tninja\tnot found\tget it\n", "--json"});
   INFO(finished.output);

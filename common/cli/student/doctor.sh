@@ -135,8 +135,11 @@ note_missing() {
 }
 
 look_at_build() {
-  local words
-  if ! [[ -x $program ]]; then
+  local words stranger
+  stranger=$(strange_build)
+  if [[ -n $stranger ]]; then
+    finding lack build "$build was moved, or copied from elsewhere, and was made for $stranger" './atelier list'
+  elif ! [[ -x $program ]]; then
     finding lack build "not built yet in $build; OpenGL, display, sandbox and steps are looked at once it is" \
       './atelier list'
   elif ! words=$("$program" doctor --help 2>&1); then

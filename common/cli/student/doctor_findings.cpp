@@ -186,6 +186,9 @@ std::vector<Finding> step_findings(const std::vector<StepTrial>& trials, const C
   for (const StepTrial& trial : trials) {
     if (!trial.built)
       broken.push_back({State::lack, "steps", trial.name + " is not built", "./atelier list"});
+    else if (trial.failure.find("is not built yet") != std::string::npos)
+      broken.push_back({State::note, "steps", fmt::format("{}: your code is not built yet", trial.name),
+                        fmt::format("./atelier check {}", trial.name.substr(0, 2))});
     else if (!trial.failure.empty())
       broken.push_back({State::lack, "steps", fmt::format("{} does not start: {}", trial.name, trial.failure),
                         fmt::format("rm -r '{}' && ./atelier list", build)});

@@ -44,7 +44,7 @@ TEST_CASE("The launcher's findings are read") {
       "good\tcmake\t3.25.1\t\n"
       "note\tpackages\tuseful: git\tapt-get install git\n"
       "lack\tninja\tnot found");
-  REQUIRE(findings.size() == 3);
+  REQUIRE(findings.size() == 4);
   CHECK(findings[0].state == State::good);
   CHECK(findings[0].fix.empty());
   CHECK(findings[1].subject == "packages");
@@ -214,6 +214,7 @@ TEST_CASE("Steps that run share one line, each other step has its own") {
       {.name = "01-transforms", .built = true},
       {.name = "02-blinn-phong"},
       {.name = "03-shadow-mapping", .built = true, .failure = "libatelier.so: no such file"},
+      {.name = "04-point-shadows", .built = true, .failure = "04: its code is not built yet: run ./atelier check 04"},
   };
   const auto findings = step_findings(trials, usual(), "/b");
   REQUIRE(findings.size() == 3);
@@ -224,6 +225,8 @@ TEST_CASE("Steps that run share one line, each other step has its own") {
   CHECK(findings[1].fix == "./atelier list");
   CHECK(mentions(findings[2].words, {"03-shadow-mapping does not start", "no such file"}));
   CHECK(findings[2].fix == "rm -r '/b' && ./atelier list");
+  CHECK(findings[3].state == State::note);  // nobody shall lose a build for this
+  CHECK(findings[3].fix == "./atelier check 04");
 
   ContextTrials nothing;
   nothing.headless = failing("none");
