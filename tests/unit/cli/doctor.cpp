@@ -44,7 +44,7 @@ TEST_CASE("The launcher's findings are read") {
       "good\tcmake\t3.25.1\t\n"
       "note\tpackages\tuseful: git\tapt-get install git\n"
       "lack\tninja\tnot found");
-  REQUIRE(findings.size() == 4);
+  REQUIRE(findings.size() == 3);
   CHECK(findings[0].state == State::good);
   CHECK(findings[0].fix.empty());
   CHECK(findings[1].subject == "packages");
@@ -217,7 +217,7 @@ TEST_CASE("Steps that run share one line, each other step has its own") {
       {.name = "04-point-shadows", .built = true, .failure = "04: its code is not built yet: run ./atelier check 04"},
   };
   const auto findings = step_findings(trials, usual(), "/b");
-  REQUIRE(findings.size() == 3);
+  REQUIRE(findings.size() == 4);
   CHECK(findings[0].state == State::good);
   CHECK(mentions(findings[0].words, {"00-hello, 01-transforms can be checked", "not run in a window"}));
   CHECK(findings[1].state == State::lack);
