@@ -28,7 +28,11 @@ Scene make_scene(const SceneTable& scenes, const std::string& name, const Settin
     if (scene.name == name) return scene.make(settings);
     known.push_back(scene.name);
   }
-  throw Error(fmt::format("scene '{}': this program has {}", name, join(known)));
+  const std::string nearest = nearest_name(name, known);
+  const bool is_file = name.find('.') != name.npos;
+  throw Error(fmt::format("scene '{}': this program has {}{}{}", name, join(known),
+                          is_file ? "; model files are .gltf, .glb and .obj" : "",
+                          nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
 }
 
 }  // namespace atelier

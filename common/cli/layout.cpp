@@ -49,8 +49,12 @@ ProjectFolders project_folders() {
   ProjectFolders folders{.root = ATELIER_ROOT, .build = ATELIER_BUILD};
   if (const char* work = std::getenv("ATELIER_WORK"); work && *work) {
     folders.work = fs::absolute(work);
+    if (!fs::is_directory(folders.work))
+      throw Error(fmt::format("ATELIER_WORK is '{}', but there is no such folder", work));
+    std::error_code error;
+    fs::create_directory(folders.steps(), error);
     if (!fs::is_directory(folders.steps()))
-      throw Error(fmt::format("ATELIER_WORK is '{}', but that has no folder steps", work));
+      throw Error(fmt::format("ATELIER_WORK is '{}', in which no folder steps can be made", work));
   }
   return folders;
 }

@@ -63,7 +63,8 @@ struct ProjectFolders {
   std::filesystem::path shader_cache() const { return build / "cache" / "shaders"; }
 };
 
-/// The folders that this program was built for. Throws Error if ATELIER_WORK names a folder without steps/.
+/// The folders that this program was built for. Makes steps/ in the folder that ATELIER_WORK names; throws Error if it
+/// cannot.
 ProjectFolders project_folders();
 
 /// The steps in step_flags.json (written by CMake), sorted by name. Throws Error naming the file and the member.

@@ -97,6 +97,18 @@ TEST_CASE("doctor reports a build folder that was made for another checkout, or 
   CHECK_FALSE(mentions(made_for(folders().root, machine.build()), {"was moved"}));
 }
 
+TEST_CASE("ATELIER_WORK names a folder of one's own, in which steps is made", "[launcher]") {
+  const TemporaryFolder folder;
+  const auto list = [&](const fs::path& work) {
+    return run_process({.arguments = {(folders().build / "bin" / "atelier").string(), "list"},
+                        .environment = {{{"ATELIER_WORK", work.string()}}}});
+  };
+  CHECK(list(folder.path()).ok());
+  CHECK(fs::is_directory(folder.path() / "steps"));
+  CHECK(mentions(list(folder.path() / "none").output, {"ATELIER_WORK", "there is no such folder"}));
+  CHECK_FALSE(fs::exists(folder.path() / "none"));
+}
+
 TEST_CASE("doctor with a build reports contexts and steps", "[launcher]") {
   const Finished finished = run_atelier({"doctor", "--found", "lack\tninja\tnot found\tget it\n", "--json"});
   INFO(finished.output);

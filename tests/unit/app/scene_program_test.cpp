@@ -32,6 +32,17 @@ double mean_difference(const Image& a, const Image& b) {
 
 }  // namespace
 
+TEST_CASE("an unknown scene names the known ones, the nearest, and the kinds of files") {
+  const auto unknown = [](const std::string& name) {
+    return error_of([&] { make_scene(test::fake_scenes(), name, Settings(std::vector<SettingSpec>())); });
+  };
+  const std::string known = test::fake_scenes().front().name;
+  CHECK(mentions(unknown("nothing like it"), {"'nothing like it'", known}));
+  CHECK_FALSE(mentions(unknown("nothing like it"), {"did you mean"}));
+  CHECK(mentions(unknown(known + "x"), {"did you mean '" + known + "'?"}));
+  CHECK(mentions(unknown("model.fbx"), {".gltf, .glb and .obj"}));
+}
+
 TEST_CASE("a scene program offers the renderer's intermediates beside its own outputs", "[scene_program]") {
   const test::FakeStep step;
   std::vector<std::string> names;
