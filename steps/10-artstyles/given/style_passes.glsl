@@ -106,7 +106,7 @@ vec4 restored_pass(vec2 texcoord) {
 
 uniform float u_amount, u_turns;
 vec4 aberration_pass(vec2 texcoord) {
-  return vec4(aberrated(u_picture, texcoord, u_amount, u_turns), texture(u_picture, texcoord).a);
+  return vec4(aberrated(u_picture, texcoord, u_amount, u_turns), 1.0);
 }
 
 // ---- The picture's relief
