@@ -109,6 +109,9 @@ int GltfReader::add_node(int index, int parent) {
   const int added = checked_add(std::move(node));
   instances_.emplace_back(index, added);
   if (const auto mesh = field.index_or_none("mesh", file_.root().size_or_zero("meshes"))) add_parts(added, *mesh);
+  if (field.find("skin"))
+    file_.notes->add(
+        fmt::format("{}: skins are left out: shapes are as in their meshes, placed by their nodes", file_.name));
   return added;
 }
 
