@@ -141,8 +141,8 @@ void read_mtl(const std::filesystem::path& folder, const std::string& name,
     notes.add(fmt::format("a material library is left out: there is no file '{}'", path.string()));
     return;
   }
-  std::string folder_of_library = std::filesystem::path(name).parent_path().generic_string();
-  std::ranges::replace(folder_of_library, '\\', '/');
+  const std::filesystem::path below = path.parent_path().lexically_relative(folder);
+  const std::string folder_of_library = below == "." ? "" : below.generic_string();
   const std::string text = read_file(path);
   TextLines lines(text, path.string());
   MtlMaterial* material = nullptr;

@@ -285,6 +285,7 @@ TEST_CASE("names of materials, libraries and pictures are what their lines say",
   REQUIRE(pictures.textures.size() == 2);
   CHECK(pictures.textures[0].pixels.width() == 2);  // beside the model
   CHECK(pictures.textures[1].pixels.width() == 3);  // beside the library
+  CHECK(import(two_squares("mats\\m.mtl", "a", "b")).textures.at(1).pixels.width() == 3);
   REQUIRE(notes.size() == 2);
   CHECK(mentions(notes[0] + notes[1], {"'b' is transparent", "'inner.png' is scaled or moved"}));
 }
