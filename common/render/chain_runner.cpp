@@ -53,6 +53,12 @@ ChainPass copy_pass() {
   return {.name = "copy", .code = {"chain_copy.glsl", "copied"}};
 }
 
+/// How the texture that is bound to the active unit is filtered.
+void set_filter(Gl& gl, bool smooth) {
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    gl.TexParameteri(GL_TEXTURE_2D, filter, smooth ? GL_LINEAR : GL_NEAREST);
+}
+
 }  // namespace
 
 bool has_pass(const std::vector<ChainPass>& passes, const std::string& output) {
@@ -109,16 +115,6 @@ int ChainRunner::next_target(int source) const {
     throw Error(fmt::format("next_target({}) is {}: a chain has the targets 0 and 1", source, next));
   return next;
 }
-
-namespace {
-
-/// How the texture that is bound to the active unit is filtered.
-void set_filter(Gl& gl, bool smooth) {
-  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
-    gl.TexParameteri(GL_TEXTURE_2D, filter, smooth ? GL_LINEAR : GL_NEAREST);
-}
-
-}  // namespace
 
 void ChainRunner::run_shader(const ChainPass& pass, const Pictures& pictures, const Target* source,
                              const Target& target) {

@@ -59,24 +59,22 @@ void check_version(const GltfFile& file) {
   if (least != "2.0") file.root().fail(fmt::format("it needs glTF of version '{}' (here: 2.0)", least));
 }
 
-/// Extensions that are supported, or that can be ignored without changing the shape of the model.
-bool can_do_without(const std::string& extension) {
+bool is_understood(const std::string& extension) {
   static constexpr const char* understood[] = {"KHR_lights_punctual", "KHR_materials_pbrSpecularGlossiness",
-                                               "KHR_texture_transform", "KHR_mesh_quantization"};
-  return std::ranges::find(understood, extension) != std::end(understood) || extension.starts_with("KHR_materials_");
+                                               "KHR_materials_emissive_strength", "KHR_texture_transform",
+                                               "KHR_mesh_quantization"};
+  return std::ranges::find(understood, extension) != std::end(understood);
 }
 
-/// Of those that can be ignored, the ones that are not.
-bool is_used(const std::string& extension) {
-  return extension == "KHR_lights_punctual" || extension == "KHR_materials_pbrSpecularGlossiness" ||
-         extension == "KHR_materials_emissive_strength" || extension == "KHR_texture_transform" ||
-         extension == "KHR_mesh_quantization";
+/// Whether it is understood, or can be ignored without changing the shape of the model.
+bool can_do_without(const std::string& extension) {
+  return is_understood(extension) || extension.starts_with("KHR_materials_");
 }
 
 void check_extensions(const GltfFile& file) {
   const auto used = file.root().find("extensionsUsed");
   for (std::size_t i = 0; used && i < used->size(); ++i)
-    if (const std::string& extension = (*used)[i].text(); !is_used(extension))
+    if (const std::string& extension = (*used)[i].text(); !is_understood(extension))
       file.notes->add(fmt::format("{}: what the extension '{}' says is left out", file.name, extension));
 
   const auto required = file.root().find("extensionsRequired");

@@ -21,6 +21,16 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+/// What Microsoft's C library has long written in place of a number: "1.#INF", "-1.#IND00", "1.#QNAN".
+std::optional<float> not_finite(std::string_view text) {
+  const std::size_t mark = text.find(".#");
+  if (mark == text.npos) return {};
+  const std::string_view kind = text.substr(mark + 2);
+  if (kind.starts_with("INF")) return text[0] == '-' ? -INFINITY : INFINITY;
+  if (kind.starts_with("IND") || kind.starts_with("QNAN") || kind.starts_with("SNAN")) return NAN;
+  return {};
+}
+
 }  // namespace
 
 TextLines::TextLines(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {
@@ -66,20 +76,6 @@ std::string_view TextLines::word() {
 std::string_view TextLines::rest() {
   return std::exchange(line_, std::string_view());
 }
-
-namespace {
-
-/// What Microsoft's C library has long written in place of a number: "1.#INF", "-1.#IND00", "1.#QNAN".
-std::optional<float> not_finite(std::string_view text) {
-  const std::size_t mark = text.find(".#");
-  if (mark == text.npos) return {};
-  const std::string_view kind = text.substr(mark + 2);
-  if (kind.starts_with("INF")) return text[0] == '-' ? -INFINITY : INFINITY;
-  if (kind.starts_with("IND") || kind.starts_with("QNAN") || kind.starts_with("SNAN")) return NAN;
-  return {};
-}
-
-}  // namespace
 
 std::optional<float> TextLines::number() {
   const std::string_view text = word();

@@ -12,6 +12,7 @@
 
 #include "gl/objects.hpp"
 #include "stability/extremes.hpp"
+#include "stability/nan_row.hpp"
 #include "stability/random.hpp"
 #include "stability/shader_function.hpp"
 #include "stability/table.hpp"

@@ -2,23 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
+
+#include "stability/extremes.hpp"
 
 namespace atelier::stability {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// The largest of distance(actual, expected); infinite where one is NaN or a number has no partner.
 template <class Distance>
 double largest(const Values& actual, const Values& expected, Distance distance) {
-  if (actual.size() != expected.size()) return infinite;
+  if (actual.size() != expected.size()) return double(infinite);
   double worst = 0;
   for (std::size_t i = 0; i < actual.size(); ++i) {
     const double here = actual[i] == expected[i] ? 0 : distance(actual[i], expected[i]);  // infinities may be equal
-    if (std::isnan(here)) return infinite;
+    if (std::isnan(here)) return double(infinite);
     worst = std::max(worst, here);
   }
   return worst;
@@ -59,9 +58,9 @@ double each_relative(const Values& actual, const Values& expected) {
 
 double degrees_between(const glm::dvec3& a, const glm::dvec3& b) {
   const double sine = glm::length(glm::cross(a, b)), cosine = glm::dot(a, b);
-  if (sine == 0 && cosine == 0) return infinite;
+  if (sine == 0 && cosine == 0) return double(infinite);
   const double angle = std::atan2(sine, cosine) * 180 / std::numbers::pi;
-  return std::isnan(angle) ? infinite : angle;
+  return std::isnan(angle) ? double(infinite) : angle;
 }
 
 double not_rigid(const glm::mat4& m) {

@@ -87,6 +87,12 @@ void use_shadows(oracle::Shading& shading, const Settings& settings) {
   shading.shadows = shading.light_width > 0 ? oracle::Shadows::soft : oracle::Shadows::hard;
 }
 
+void use_shadows_without_cubes(SceneTruth& truth, const Settings& settings) {
+  use_shadows(truth.shading, settings);
+  for (Light& light : truth.scene.lights)
+    if (light.type == LightType::point) light.casts_shadow = false;
+}
+
 SceneTruth shadow_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   if (!model) model = make_scene(shadow_scenes(), request.scene, settings);
   SceneTruth truth = blinn_phong_truth(request, settings, std::move(model));

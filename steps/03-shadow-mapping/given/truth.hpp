@@ -8,6 +8,9 @@ namespace atelier {
 /// The shadows of the light that "light.width" asks for.
 void use_shadows(oracle::Shading& shading, const Settings& settings);
 
+/// The same for a program with the maps of this step and without the cubes of step 04: point lights cast no shadows.
+void use_shadows_without_cubes(SceneTruth& truth, const Settings& settings);
+
 /// The step's scenes with shadow rays instead of maps: hard shadows if "light.width" is 0, otherwise soft shadows,
 /// integrated over 32 x 32 points of each light. Settings of maps, biases and filters are ignored.
 /// - "shadow_factor" is the fraction of the light "shadow.light" that each point sees: 1 if the scene has no such

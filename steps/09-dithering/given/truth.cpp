@@ -212,9 +212,7 @@ SceneTruth dither_truth(const TruthRequest& request, const Settings& settings, s
   TruthRequest before_dithering = request;
   if (request.output == "dither" || request.output == "seen") before_dithering.output = "colour";
   SceneTruth truth = post_truth(before_dithering, settings, std::move(model));
-  use_shadows(truth.shading, settings);
-  for (Light& light : truth.scene.lights)
-    if (light.type == LightType::point) light.casts_shadow = false;  // as in the program: see step 04
+  use_shadows_without_cubes(truth, settings);
   const bool without_lines = request.output == "dither";
   if (request.output != "colour" && !without_lines) return truth;
   const Camera camera = apply(request.camera, truth.scene.camera);

@@ -351,9 +351,7 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
   TruthRequest before = request;
   if (is_own) before.output = "colour";
   SceneTruth truth = post_truth(before, settings, std::move(model));
-  use_shadows(truth.shading, settings);
-  for (Light& light : truth.scene.lights)
-    if (light.type == LightType::point) light.casts_shadow = false;  // as in the program: see step 04
+  use_shadows_without_cubes(truth, settings);
   if (!is_own && wanted != "colour") return truth;
 
   SceneTruth geometry = truth;

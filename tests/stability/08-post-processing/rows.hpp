@@ -41,9 +41,4 @@ double exact_filmic(double x);
 /// What the functions of GLSL give for these calls: three numbers each.
 Values colours_of(ShaderFunctions& shaders, const ShaderFunction& function, const std::vector<ShaderInput>& inputs);
 
-/// A row: 64 pixels with the colour of `call`, its first argument, one of which is NaN instead. The others come out as
-/// they do without it. `words` stand in front of its text.
-void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call,
-                 const std::string& words = "");
-
 }  // namespace atelier::stability

@@ -18,19 +18,6 @@ Values colours_of(ShaderFunctions& shaders, const ShaderFunction& function, cons
   return out;
 }
 
-void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call,
-                 const std::string& words) {
-  const auto others = [=, &shaders](bool broken) {
-    std::vector<ShaderInput> calls(64, call);
-    if (broken) calls[31][0] = glm::vec4(not_a_number);
-    Values all = colours_of(shaders, function, calls);
-    all.erase(all.begin() + 31 * 3, all.begin() + 32 * 3);
-    return all;
-  };
-  group.same(
-      words + "a NaN in one pixel: all others", [=] { return others(true); }, [=] { return others(false); });
-}
-
 }  // namespace atelier::stability
 
 void atelier_stability_table(atelier::stability::Table& table, atelier::stability::ShaderFunctions& shaders) {

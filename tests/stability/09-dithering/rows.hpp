@@ -25,18 +25,11 @@ void add_surface_rows(Table& table, ShaderFunctions& shaders);
 void add_mixed_rows(Table& table, ShaderFunctions& shaders);
 void add_fast_rows(Table& table);
 
-inline constexpr int least_int = std::numeric_limits<int>::min();
-inline constexpr int largest_int = std::numeric_limits<int>::max();
-
 /// An expression over the step's shader functions.
 ShaderFunction dither_function(std::vector<std::string> parameters, std::string expression);
 
 /// The first components of any number of calls, in as many draws as they need.
 Values numbers_of_calls(ShaderFunctions& shaders, const ShaderFunction& function,
                         const std::vector<ShaderInput>& inputs);
-
-/// A row: the same call in 64 pixels, one of which has a NaN as its first argument instead. The others come out as they
-/// do without it.
-void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call);
 
 }  // namespace atelier::stability

@@ -28,9 +28,6 @@ void add_radius_rows(Table& table);
 void add_stroke_rows(Table& table);
 void add_regions_rows(Table& table);
 
-inline constexpr int least_int = std::numeric_limits<int>::min();
-inline constexpr int largest_int = std::numeric_limits<int>::max();
-
 /// An expression over the step's shader functions. `helpers` is GLSL behind the include.
 ShaderFunction style_function(std::vector<std::string> parameters, std::string expression,
                               const std::string& helpers = "");
@@ -46,10 +43,6 @@ double worst_result(ShaderFunctions& shaders, const ShaderFunction& function, co
 /// How many of the calls have an error above 1; a NaN is.
 double count_failed(ShaderFunctions& shaders, const ShaderFunction& function, const std::vector<ShaderInput>& calls,
                     const std::function<double(const ShaderInput&, const glm::vec4&)>& error);
-
-/// A row: the same call in 64 pixels, one of which has a NaN as its first argument instead. The others come out as they
-/// do without it.
-void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call);
 
 inline constexpr float pi = std::numbers::pi_v<float>;
 

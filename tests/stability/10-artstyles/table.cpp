@@ -39,18 +39,6 @@ double count_failed(ShaderFunctions& shaders, const ShaderFunction& function, co
   return failed;
 }
 
-void add_nan_row(Group& group, ShaderFunctions& shaders, const ShaderFunction& function, const ShaderInput& call) {
-  const auto others = [=, &shaders](bool broken) {
-    std::vector<ShaderInput> calls(64, call);
-    if (broken) calls[31][0] = glm::vec4(not_a_number);
-    std::vector<glm::vec4> found = shaders.evaluate(function, calls);
-    found.erase(found.begin() + 31);
-    return all_values(found);
-  };
-  group.same(
-      "a NaN in one pixel: all others", [=] { return others(true); }, [=] { return others(false); });
-}
-
 std::vector<glm::dvec2> polar_grid(double farthest) {
   constexpr int directions = 146, distances = 84;
   std::vector<glm::dvec2> grid;
