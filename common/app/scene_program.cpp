@@ -109,6 +109,7 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   if (loaded_ == wanted && !is_model_file(scene)) return;  // a model file may have changed
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_with_notes(scene) : make_scene(step_.scenes, scene, settings);
+  walked_ = !is_model_file(scene);
   boxes_.clear();
   renderer_->configure(settings, {.chain_format = chain_format(description_, settings),
                                   .constants_as_varyings = settings.choice("draw.constants") == "varyings"});

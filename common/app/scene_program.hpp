@@ -27,6 +27,8 @@ struct SceneStep {
   std::function<void(FeatureList&)> features;  ///< adds them
   /// If set, moves the camera before a frame is drawn: where a visitor of the scene is, by the settings.
   std::function<Camera(const Scene& scene, const Camera& camera, const Settings& settings)> visit;
+  /// If set, scenes of the table are walked through (StepProgram::walk), imported models are not.
+  std::function<Walker(const Walker& walker, const Walking& walking, double seconds, Settings& settings)> walk;
   MakeTruth truth;       ///< empty: there is no ground truth
   ChainFunctions chain;  ///< for features with post-processing passes
   /// If set: StepProgram::write.
@@ -43,6 +45,10 @@ class SceneProgram : public StepProgram {
   Camera camera() const override { return scene_.camera; }
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
+  bool is_walked(const Settings&) const override { return step_.walk && walked_; }
+  Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) const override {
+    return step_.walk(walker, walking, seconds, settings);
+  }
   Image truth(const TruthRequest& request, const Settings& settings) const override;
   bool write(const std::filesystem::path& file, const Image& picture) const override {
     return step_.write && step_.write(file, picture);
@@ -54,6 +60,7 @@ class SceneProgram : public StepProgram {
   SceneStep step_;
   StepDescription description_;
   Scene scene_;
+  bool walked_ = false;      ///< the scene is one of the table
   std::vector<Box3> boxes_;  ///< of the scene's nodes; computed when needed
   std::unique_ptr<Renderer> renderer_;
   /// What the loaded scene was made from. Cases often differ only in camera, size or output, and then it need not be

@@ -58,6 +58,18 @@ struct TruthRequest {
   std::function<void(double)> progress;  ///< called occasionally with the fraction done, 0..1
 };
 
+/// A visitor of a scene that is walked through, rather than looked at from around.
+struct Walker {
+  Camera camera;           ///< the visitor's eyes
+  glm::dvec3 velocity{0};  ///< m/s, in the world; not 0: the visitor moves without being asked to, as in a jump
+};
+
+/// What the window asks a visitor to do.
+struct Walking {
+  glm::dvec2 velocity{0};  ///< m/s over the floor: to the right and ahead of where the visitor looks
+  glm::dvec2 turn{0};      ///< radians: to the left, and up
+};
+
 class StepProgram {
  public:
   virtual ~StepProgram() = default;
@@ -76,6 +88,12 @@ class StepProgram {
   virtual DepthFormat depth_format(const Settings&) const { return DepthFormat::depth24; }
 
   virtual void draw(const Frame& frame, const Settings& settings) = 0;
+
+  /// Whether the window's controls walk through the loaded scene; otherwise they move the camera around its target.
+  virtual bool is_walked(const Settings&) const { return false; }
+
+  /// The visitor after `seconds`; called where is_walked. May change settings, such as the room where the visitor is.
+  virtual Walker walk(const Walker& walker, const Walking&, double /*seconds*/, Settings&) const { return walker; }
 
   /// The ground truth of a picture, row 0 on top: an exact version of `load` and `draw`, from given code and the oracle
   /// only. Works before `open`, without OpenGL. Settings that only trade accuracy for speed have no effect. Throws

@@ -4,7 +4,6 @@ namespace atelier {
 namespace {
 
 constexpr double double_click_seconds = 0.35, double_click_distance = 4;  // window units
-constexpr double arrow_turn = 20;                                         // window units of dragging
 
 bool is_double_click(const std::optional<Pressed>& before, const Pressed& now) {
   return before && now.time - before->time <= double_click_seconds &&
@@ -42,13 +41,13 @@ Gesture type(const Typed& event) {
     case Key::space:
       return {.action = Action::play};
     case Key::left:
-      return {.turn = {arrow_turn, 0}};
+      return {.arrow = {-1, 0}};
     case Key::right:
-      return {.turn = {-arrow_turn, 0}};
+      return {.arrow = {1, 0}};
     case Key::up:
-      return {.turn = {0, arrow_turn}};
+      return {.arrow = {0, 1}};
     case Key::down:
-      return {.turn = {0, -arrow_turn}};
+      return {.arrow = {0, -1}};
     case Key::plus:
       return {.dolly = 1};
     case Key::minus:
@@ -77,16 +76,24 @@ Gesture interpret(Controls& controls, const Event& event) {
   return {};
 }
 
+#define OTHER_KEYS                            \
+  "double click, R\tback to the scene's camera\n" \
+  "1 to 9\tanother scene\n"                      \
+  "Space\tstart or stop the animation\n"         \
+  "S\tsave the picture as PNG\n"                 \
+  "Tab\tshow or hide the panel\n"                \
+  "H\tthis help\n"                               \
+  "Esc\tquit\n"
+
 const char* const keys_help =
     "left drag, arrows\torbit the target\n"
     "wheel, + and -\tmove closer or away\n"
-    "right or middle drag\tpan\n"
-    "double click, R\tback to the scene's camera\n"
-    "1 to 9\tanother scene\n"
-    "Space\tstart or stop the animation\n"
-    "S\tsave the picture as PNG\n"
-    "Tab\tshow or hide the panel\n"
-    "H\tthis help\n"
-    "Esc\tquit\n";
+    "right or middle drag\tpan\n" OTHER_KEYS;
+
+const char* const walking_keys_help =
+    "up and down\twalk\n"
+    "left and right, left drag\tlook around\n"
+    "wheel, + and -\twalk\n"
+    "right or middle drag\tstep aside\n" OTHER_KEYS;
 
 }  // namespace atelier

@@ -76,7 +76,7 @@ std::optional<CommandLine> Window::run() {
 }
 
 double Window::waiting_time() const {
-  if (rounds_left_ > 0 || viewer_.playing() || options_.frames) return 0;
+  if (rounds_left_ > 0 || viewer_.moving() || options_.frames) return 0;
   return std::chrono::duration<double>(look_interval).count();
 }
 
@@ -98,6 +98,7 @@ void Window::execute(const Gesture& gesture) {
   if (gesture.turn != glm::dvec2(0)) viewer_.turn(gesture.turn, height);
   if (gesture.pan != glm::dvec2(0)) viewer_.pan(gesture.pan, height);
   if (gesture.dolly != 0) viewer_.dolly(gesture.dolly);
+  if (gesture.arrow != glm::dvec2(0)) viewer_.arrow(gesture.arrow);
   execute(gesture.action, gesture.number);
 }
 
@@ -153,7 +154,7 @@ void Window::let_time_pass() {
   // Moving or covering a window may block the loop: do not let the animation jump.
   viewer_.advance(std::min(std::chrono::duration<double>(now - last_round_).count(), 0.1));
   last_round_ = now;
-  if (viewer_.playing() || options_.frames) rounds_left_ = std::max(rounds_left_, 1);
+  if (viewer_.moving() || options_.frames) rounds_left_ = std::max(rounds_left_, 1);
   if (!state_.notice.empty() && now >= notice_end_) {
     state_.notice.clear();
     rounds_left_ = settling_rounds;
@@ -196,6 +197,7 @@ void Window::draw_round() {
   --rounds_left_;
   const glm::ivec2 window = display_.pixels();
   if (window.x < 1 || window.y < 1) return;  // iconified
+  state_.keys = viewer_.walked() ? walking_keys_help : keys_help;
   if (panel_->update(viewer_, state_)) rounds_left_ = std::max(rounds_left_, 1);
   const glm::ivec2 picture = picture_pixels(window);
   viewer_.resize(picture);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "app/window/controls.hpp"
 #include "app/window/display.hpp"
 #include "app/window/viewer.hpp"
 
@@ -17,6 +18,7 @@ extern const int panel_width;
 struct PanelState {
   bool visible = true;  ///< of the panel; messages are always visible
   bool help = false;
+  const char* keys = keys_help;  ///< what the help says
   std::string notice;  ///< one line that fades: "saved frame.png"
 };
 

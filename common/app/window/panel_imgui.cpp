@@ -157,7 +157,7 @@ void ImGuiPanel::help(PanelState& state) const {
   ImGui::SetNextWindowBgAlpha(0.92f);
   ImGui::Begin("help", nullptr, fixed_window | ImGuiWindowFlags_AlwaysAutoResize);
   std::string line;
-  for (const char* letter = keys_help; *letter; ++letter) {
+  for (const char* letter = state.keys; *letter; ++letter) {
     if (*letter == '\t') {
       ImGui::TextUnformatted(line.c_str());
       ImGui::SameLine(170 * scale_);

@@ -16,7 +16,7 @@ class PlainPanel : public Panel {
   bool wants_keyboard() const override { return false; }
 
   bool update(Viewer& viewer, PanelState& state) override {
-    if (state.help) fmt::print("{}", keys_help);
+    if (state.help) fmt::print("{}", state.keys);
     state.help = false;
     say(notice_, state.notice);
     say(drawing_, viewer.trouble.drawing);

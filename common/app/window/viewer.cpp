@@ -17,6 +17,8 @@
 namespace atelier {
 namespace {
 
+constexpr double walking_pace = 1.6, seconds_of_a_step = 0.15;  // m/s; of a key's press
+
 /// Throws for unknown names on the command line; errors of the program itself are shown in the window.
 void check_names(const StepDescription& description, const std::string& scene, const std::string& output) {
   const auto& scenes = description.scenes;
@@ -97,33 +99,58 @@ Camera Viewer::camera() const {
   // If not moved, the camera is exactly that of --out, to the last bit.
   Camera camera = program_.camera();
   if (first_camera_) camera = apply(*first_camera_, camera);
-  return moved_ ? camera_on(orbit_, camera, start_) : camera;
+  if (!moved_) return camera;
+  return walked() ? walker_.camera : camera_on(orbit_, camera, start_);
+}
+
+void Viewer::begin_at(const Camera& camera) {
+  start_ = orbit_ = orbit_of(camera);
+  walker_ = {.camera = camera};
+}
+
+void Viewer::walk(const Walking& walking, double seconds) {
+  trouble.drawing = words_of([&] {
+    const auto before = settings_.values();
+    walker_ = program_.walk(walker_, walking, seconds, settings_);
+    must_load_ |= settings_.values() != before;
+  });
+  moved_ = must_draw_ = true;
 }
 
 void Viewer::turn(glm::dvec2 way, double height) {
   const double radians = glm::pi<double>() / std::max(height, 1.0);
+  if (walked()) return walk({.turn = way * radians}, 0);
   orbit_ = turned(orbit_, -way.x * radians, way.y * radians);
   moved_ = must_draw_ = true;
 }
 
 void Viewer::pan(glm::dvec2 way, double height) {
+  if (walked())
+    return walk({.velocity = {-walking_pace * glm::sign(way.x), 0}}, 4 * std::abs(way.x) / std::max(height, 1.0));
   orbit_ = panned(orbit_, way, metres_per_pixel(orbit_, camera(), height));
   moved_ = must_draw_ = true;
 }
 
 void Viewer::dolly(double steps) {
+  if (walked()) return walk({.velocity = {0, walking_pace * glm::sign(steps)}}, std::abs(steps) * seconds_of_a_step);
   orbit_ = dollied(orbit_, steps);
   moved_ = must_draw_ = true;
 }
 
+void Viewer::arrow(glm::dvec2 direction) {
+  constexpr double small = 0.04;  // of half a turn
+  if (!walked() || direction.x != 0) return turn(glm::dvec2(-direction.x, direction.y) * small, 1);
+  walk({.velocity = {0, walking_pace * direction.y}}, seconds_of_a_step);
+}
+
 void Viewer::reset_camera() {
   first_camera_.reset();
-  if (loaded_) start_ = orbit_ = orbit_of(program_.camera());
-  moved_ = false;
+  if (loaded_) begin_at(program_.camera());
   must_draw_ = true;
 }
 
 void Viewer::advance(double seconds) {
+  if (walked() && walker_.velocity != glm::dvec3(0)) walk({}, seconds);
   if (!playing_) return;
   time_ += seconds;
   must_draw_ = true;
@@ -141,7 +168,7 @@ void Viewer::load() {
   // The command line's camera is only for the first scene.
   if (picture()) first_camera_.reset();
   take_camera_ = moved_ = false;
-  start_ = orbit_ = orbit_of(camera());
+  begin_at(camera());
 }
 
 void Viewer::draw_into(const Target& target) {

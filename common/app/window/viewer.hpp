@@ -44,14 +44,20 @@ class Viewer {
   void reset_settings();
   void resize(glm::ivec2 pixels);  ///< of the picture; sides below 1 count as 1
 
-  // Camera motion in window units on a picture that is `height` units high.
+  // Camera motion in window units on a picture that is `height` units high. Where the scene is walked through, they
+  // look around, step aside, and walk.
   void turn(glm::dvec2 way, double height);  ///< half a turn per picture height
   void pan(glm::dvec2 way, double height);
   void dolly(double steps);
+  void arrow(glm::dvec2 direction);  ///< x to the right, y up: turns the camera a little, or walks
   void reset_camera();
 
-  // The animation clock: stays at 0 s until it is started.
+  /// Whether the scene is walked through.
+  bool walked() const { return loaded_ && program_.is_walked(settings_); }
+
+  // The animation clock: stays at 0 s until it is started. A visitor in the air moves too.
   bool playing() const { return playing_; }
+  bool moving() const { return playing_ || (walked() && walker_.velocity != glm::dvec3(0)); }
   void play(bool on) { playing_ = on; }
   void advance(double seconds);
 
@@ -77,6 +83,8 @@ class Viewer {
 
  private:
   void load();
+  void begin_at(const Camera& camera);
+  void walk(const Walking& walking, double seconds);
   void draw_into(const Target& target);
 
   StepProgram& program_;
@@ -90,6 +98,7 @@ class Viewer {
   std::optional<CaseCamera> first_camera_;   ///< from the command line, for the first scene only
   bool take_camera_ = true, moved_ = false;  ///< the next load sets the camera; the camera has been moved
   Orbit start_, orbit_;
+  Walker walker_;
 
   bool playing_ = false;
   double time_ = 0;

@@ -17,26 +17,6 @@ namespace atelier {
 
 namespace {
 
-/// The height field of a node with a mesh of make_plane.
-oracle::Shape height_field_of(const Scene& scene, const Node& node, const glm::dmat4& world, const Settings& settings) {
-  const Mesh& mesh = scene.meshes[std::size_t(*node.mesh)];
-  const Material& material = scene.materials[std::size_t(node.material)];
-  glm::dvec3 half(0);
-  glm::dvec2 repeat(0);
-  for (const Vertex& vertex : mesh.vertices) {
-    half = glm::max(half, glm::dvec3(glm::abs(vertex.position)));
-    repeat = glm::max(repeat, glm::dvec2(vertex.texcoord));
-  }
-  oracle::HeightField field;
-  field.flat = {.centre = glm::dvec3(0), .half_u = {half.x, 0, 0}, .half_v = {0, 0, -half.z}};
-  field.heights = std::make_shared<const Texture>(scene.textures[std::size_t(*material.height_texture)]);
-  field.depth = settings.real("parallax.depth") * 2 * half.x / repeat.x;
-  field.repeat = repeat;
-  field.window = true;  // the surface is a rectangle, and its pixels are all there is
-  field.edges = settings.choice("parallax.edges") == "discard";
-  return {.surface = field, .object_to_world = world, .material = node.material};
-}
-
 /// The mesh of make_cylinder_wall with its relief: a grid of two squares of texels each, moved inwards. The normals
 /// stay those of the cylinder, to which the normal map belongs.
 Mesh round_relief_of(const Mesh& wall, const Texture& heights, double depth) {
@@ -61,7 +41,27 @@ Mesh round_relief_of(const Mesh& wall, const Texture& heights, double depth) {
   return mesh;
 }
 
-/// The height of what is seen: linear in the distance along the view direction, 1 at range.x metres, 0 at range.y.
+}  // namespace
+
+oracle::Shape relief_shape(const Scene& scene, const Node& node, const glm::dmat4& world, const Settings& settings) {
+  const Mesh& mesh = scene.meshes[std::size_t(*node.mesh)];
+  const Material& material = scene.materials[std::size_t(node.material)];
+  glm::dvec3 half(0);
+  glm::dvec2 repeat(0);
+  for (const Vertex& vertex : mesh.vertices) {
+    half = glm::max(half, glm::dvec3(glm::abs(vertex.position)));
+    repeat = glm::max(repeat, glm::dvec2(vertex.texcoord));
+  }
+  oracle::HeightField field;
+  field.flat = {.centre = glm::dvec3(0), .half_u = {half.x, 0, 0}, .half_v = {0, 0, -half.z}};
+  field.heights = std::make_shared<const Texture>(scene.textures[std::size_t(*material.height_texture)]);
+  field.depth = settings.real("parallax.depth") * 2 * half.x / repeat.x;
+  field.repeat = repeat;
+  field.window = true;  // the surface is a rectangle, and its pixels are all there is
+  field.edges = settings.choice("parallax.edges") == "discard";
+  return {.surface = field, .object_to_world = world, .material = node.material};
+}
+
 oracle::SurfaceColour height_in_view(const Camera& camera, const glm::dvec2& range) {
   const glm::dvec3 ahead = oracle::view_frame(camera.target - camera.eye, glm::dvec3(camera.up)).ahead;
   return [=](const oracle::World&, const oracle::SurfacePoint& point, const glm::dvec3& eye) {
@@ -69,8 +69,6 @@ oracle::SurfaceColour height_in_view(const Camera& camera, const glm::dvec2& ran
     return glm::dvec3(std::clamp((range.y - distance) / (range.y - range.x), 0.0, 1.0));
   };
 }
-
-}  // namespace
 
 SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   const glm::dvec2 range = recorded_range(settings);
@@ -95,7 +93,7 @@ SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& s
                                                         settings.real("parallax.depth")));
     }
     if (node.name != relief_node || !node.mesh) continue;
-    truth.shapes.push_back(height_field_of(truth.scene, node, world[i], settings));
+    truth.shapes.push_back(relief_shape(truth.scene, node, world[i], settings));
     node.mesh.reset();
   }
   return truth;

@@ -13,4 +13,10 @@ namespace atelier {
 /// refuses (recorded_range).
 SceneTruth parallax_mapping_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
+/// The relief of a node with a mesh of make_plane, as the settings have it, in place of that mesh.
+oracle::Shape relief_shape(const Scene& scene, const Node& node, const glm::dmat4& world, const Settings& settings);
+
+/// The height of what is seen: linear in the distance along the view direction, 1 at range.x metres, 0 at range.y.
+oracle::SurfaceColour height_in_view(const Camera& camera, const glm::dvec2& range);
+
 }  // namespace atelier

@@ -213,9 +213,13 @@ SceneTruth dither_truth(const TruthRequest& request, const Settings& settings, s
   if (request.output == "dither" || request.output == "seen") before_dithering.output = "colour";
   SceneTruth truth = post_truth(before_dithering, settings, std::move(model));
   use_shadows_without_cubes(truth, settings);
+  return in_few_levels(std::move(truth), request, settings);
+}
+
+SceneTruth in_few_levels(SceneTruth truth, const TruthRequest& request, const Settings& settings) {
   const bool without_lines = request.output == "dither";
   if (request.output != "colour" && !without_lines) return truth;
-  const Camera camera = apply(request.camera, truth.scene.camera);
+  const Camera camera = truth.camera.value_or(apply(request.camera, truth.scene.camera));
   const Eye eye{.place = camera.eye,
                 .to_world = glm::dmat3(glm::inverse(glm::lookAt(camera.eye, camera.target, glm::dvec3(camera.up)))),
                 .half_height = std::tan(double(camera.fov_y) / 2),

@@ -10,4 +10,7 @@ namespace atelier {
 /// neighbourhood. Throws Error for blue noise, whose pattern is the student's own.
 SceneTruth dither_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
+/// The truth of any picture, dithered as the settings say.
+SceneTruth in_few_levels(SceneTruth truth, const TruthRequest& request, const Settings& settings);
+
 }  // namespace atelier

@@ -341,18 +341,26 @@ struct Studio {
   }
 };
 
+/// Whether an output is one of this step's, which are made from the picture.
+bool is_of_styles(const std::string& output) {
+  const std::array own = {"first", "second", "edges", "steps", "relief"};
+  return std::ranges::count(own, output) > 0;
+}
+
 }  // namespace
 
 SceneTruth style_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model) {
   if (!model) model = make_scene(style_scenes(), request.scene, settings);
-  const std::string wanted = request.output;
-  const std::array own = {"first", "second", "edges", "steps", "relief"};
-  const bool is_own = std::ranges::count(own, wanted) > 0;
   TruthRequest before = request;
-  if (is_own) before.output = "colour";
+  if (is_of_styles(request.output)) before.output = "colour";
   SceneTruth truth = post_truth(before, settings, std::move(model));
   use_shadows_without_cubes(truth, settings);
-  if (!is_own && wanted != "colour") return truth;
+  return in_styles(std::move(truth), request, settings);
+}
+
+SceneTruth in_styles(SceneTruth truth, const TruthRequest& request, const Settings& settings) {
+  const std::string wanted = request.output;
+  if (!is_of_styles(wanted) && wanted != "colour") return truth;
 
   SceneTruth geometry = truth;
   geometry.finish = nullptr;
@@ -363,7 +371,8 @@ SceneTruth style_truth(const TruthRequest& request, const Settings& settings, st
     other.samples = 1;
     return trace_scene(geometry, other, {}, settings);
   };
-  const Camera3 camera = camera_of(apply(request.camera, truth.scene.camera), request.size);
+  const Camera camera_of_view = truth.camera.value_or(apply(request.camera, truth.scene.camera));
+  const Camera3 camera = camera_of(camera_of_view, request.size);
   const Studio studio{settings, wanted, camera, LensShape(settings, camera), trace};
   if (wanted == "steps" || wanted == "relief") {
     truth = geometry;

@@ -12,4 +12,8 @@ namespace atelier {
 /// ignored.
 SceneTruth style_truth(const TruthRequest& request, const Settings& settings, std::optional<Scene> model);
 
+/// The styles of the settings on the truth of any picture before them; the request's output is "colour" or one of this
+/// step.
+SceneTruth in_styles(SceneTruth truth, const TruthRequest& request, const Settings& settings);
+
 }  // namespace atelier

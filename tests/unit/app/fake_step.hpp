@@ -115,6 +115,17 @@ class FakeStep : public SceneProgram {
     SceneProgram::draw(frame, settings);
   }
 
+  bool is_walked(const Settings&) const override { return walked; }
+  /// Moves the eye along x; whoever is beyond x = 10 changes a setting. Turning is a jump.
+  Walker walk(const Walker& before, const Walking& walking, double seconds, Settings& settings) const override {
+    Walker walker = before;
+    walker.camera.eye.x += (walking.velocity.y + before.velocity.x) * seconds;
+    walker.velocity.x = walking.turn.x > 0 ? 1 : 0;
+    if (walker.camera.eye.x > 10) settings.set("tint.colour", "blue");
+    return walker;
+  }
+
+  bool walked = false;
   std::function<void()> on_load, on_draw;
   int loads = 0, draws = 0;
   double last_time = -1;

@@ -189,6 +189,32 @@ TEST_CASE("the camera rotates, and a reset restores the scene's camera", "[viewe
   CHECK(room.picture() == start);
 }
 
+TEST_CASE("where a scene is walked through, the controls move a visitor", "[viewer]") {
+  Room room;
+  room.step.walked = true;
+  Viewer& viewer = *room.viewer;
+  REQUIRE(viewer.draw());
+  const double x = viewer.camera().eye.x;
+  viewer.arrow({0, 1});
+  CHECK(viewer.camera().eye.x > x);
+  CHECK_FALSE(viewer.moving());
+  viewer.arrow({-1, 0});  // which is a jump here
+  REQUIRE(viewer.moving());
+  const double before = viewer.camera().eye.x;
+  viewer.advance(0.5);
+  CHECK(viewer.camera().eye.x == before + 0.5);
+  CHECK_FALSE(viewer.moving());
+  REQUIRE(viewer.draw());
+  const int loads = room.step.loads;
+  viewer.dolly(100);  // beyond x = 10
+  CHECK(viewer.settings().choice("tint.colour") == "blue");
+  REQUIRE(viewer.draw());
+  CHECK(room.step.loads == loads + 1);
+  CHECK(viewer.camera().eye.x > 10);  // the new scene keeps the visitor's place
+  viewer.reset_camera();
+  CHECK(viewer.camera().eye.x == x);
+}
+
 TEST_CASE("a new setting keeps the chosen camera, a new scene has its own", "[viewer]") {
   CommandLine line = plain_line();
   line.picture.camera.eye = glm::dvec3(0, 0, 9);
