@@ -39,7 +39,8 @@ int components_of(const JsonField& accessor) {
   const std::string& type = field.text();
   if (type == "SCALAR") return 1;
   if (type.size() == 4 && type.starts_with("VEC") && type[3] >= '2' && type[3] <= '4') return type[3] - '0';
-  field.fail(fmt::format("'{}' (allowed here: SCALAR, VEC2, VEC3, VEC4)", type));
+  if (type == "MAT4") return 16;  // four columns of four floats: no padding
+  field.fail(fmt::format("'{}' (allowed here: SCALAR, VEC2, VEC3, VEC4, MAT4)", type));
 }
 
 template <class T>
@@ -69,6 +70,10 @@ float float_at(const char* bytes, ComponentType type, bool normalized) {
     default:
       return value_at<float>(bytes);
   }
+}
+
+bool is_unsigned(ComponentType type) {
+  return type == unsigned_byte || type == unsigned_short || type == unsigned_int;
 }
 
 std::uint32_t index_at(const char* bytes, ComponentType type) {
@@ -121,6 +126,12 @@ Accessor find_accessor(const GltfFile& file, int index) {
   return {field, accessor_count(file, index), component_type(field), components_of(field)};
 }
 
+void check_components(const Accessor& accessor, int needed) {
+  if (accessor.components != needed)
+    accessor.field.fail(fmt::format("'{}' has {} components (needed here: {})", accessor.field.at("type").text(),
+                                    accessor.components, needed));
+}
+
 /// Calls put(element index, bytes) for every element in the file, first the dense ones, then the sparse ones. All
 /// others are zeros: an accessor may have no data at all.
 template <class Put>
@@ -134,8 +145,7 @@ void for_each_element(const GltfFile& file, const Accessor& accessor, const Put&
   const auto count = std::size_t(sparse->at("count").integer(1, std::int64_t(accessor.count)));
   const JsonField indices = sparse->at("indices");
   const ComponentType type = component_type(indices);
-  if (type != unsigned_byte && type != unsigned_short && type != unsigned_int)
-    indices.fail("componentType must be an unsigned integer");
+  if (!is_unsigned(type)) indices.fail("componentType must be an unsigned integer");
   const Run places = find_run(file, indices, count, bytes_of(type), false);
   const Run values = find_run(file, sparse->at("values"), count, accessor.element(), false);
   for (std::size_t i = 0; i < count; ++i) {
@@ -154,8 +164,7 @@ std::size_t accessor_count(const GltfFile& file, int index) {
 
 std::vector<float> read_accessor(const GltfFile& file, int index, int components) {
   const Accessor accessor = find_accessor(file, index);
-  if (accessor.components != components)
-    accessor.field.fail(fmt::format("{} components (needed here: {})", accessor.components, components));
+  check_components(accessor, components);
   const bool normalized = accessor.field.flag_or("normalized", false);
   std::vector<float> values(accessor.count * std::size_t(components), 0.0f);
   for_each_element(file, accessor, [&](std::size_t i, const char* bytes) {
@@ -166,15 +175,38 @@ std::vector<float> read_accessor(const GltfFile& file, int index, int components
   return values;
 }
 
-std::vector<std::uint32_t> read_index_accessor(const GltfFile& file, int index) {
+std::vector<std::uint32_t> read_unsigned_accessor(const GltfFile& file, int index, int components) {
   const Accessor accessor = find_accessor(file, index);
-  const bool is_unsigned =
-      accessor.type == unsigned_byte || accessor.type == unsigned_short || accessor.type == unsigned_int;
-  if (accessor.components != 1 || !is_unsigned) accessor.field.fail("indices must be unsigned integers, one each");
-  std::vector<std::uint32_t> values(accessor.count, 0);
-  for_each_element(file, accessor,
-                   [&](std::size_t i, const char* bytes) { values[i] = index_at(bytes, accessor.type); });
+  check_components(accessor, components);
+  if (!is_unsigned(accessor.type))
+    accessor.field.at("componentType").fail(fmt::format("{} (allowed here: 5121, 5123, 5125)", int(accessor.type)));
+  std::vector<std::uint32_t> values(accessor.count * std::size_t(components), 0);
+  for_each_element(file, accessor, [&](std::size_t i, const char* bytes) {
+    for (int c = 0; c < components; ++c)
+      values[i * std::size_t(components) + std::size_t(c)] =
+          index_at(bytes + std::size_t(c) * bytes_of(accessor.type), accessor.type);
+  });
   return values;
+}
+
+std::vector<glm::dmat4> read_matrix_accessor(const GltfFile& file, int index) {
+  const Accessor accessor = find_accessor(file, index);
+  if (accessor.type != float_)
+    accessor.field.at("componentType").fail(fmt::format("{} (allowed here: 5126)", int(accessor.type)));
+  const std::vector<float> values = read_accessor(file, index, 16);
+  std::vector<glm::dmat4> matrices(accessor.count);
+  for (std::size_t i = 0; i < values.size(); ++i) matrices[i / 16][int(i % 16 / 4)][int(i % 4)] = values[i];
+  return matrices;
+}
+
+std::optional<int> attribute(const GltfFile& file, const JsonField& primitive, const std::string& name,
+                             std::size_t count) {
+  const auto index = primitive.at("attributes").index_or_none(name.c_str(), file.root().size_or_zero("accessors"));
+  if (!index) return {};
+  if (accessor_count(file, *index) == count) return index;
+  file.notes->add(fmt::format("{}: accessors[{}] ({}) is left out: {} elements for {} positions", file.name, *index,
+                              name, accessor_count(file, *index), count));
+  return {};
 }
 
 }  // namespace atelier::scene_import

@@ -29,17 +29,6 @@ std::vector<std::uint32_t> take_apart(Mode mode, std::vector<std::uint32_t> corn
   return triangles;
 }
 
-/// The accessor of an attribute; none if it is missing or has another length than the positions.
-std::optional<int> attribute(const GltfFile& file, const JsonField& primitive, const char* name, std::size_t count) {
-  const JsonField attributes = primitive.at("attributes");
-  const auto index = attributes.index_or_none(name, file.root().size_or_zero("accessors"));
-  if (!index) return {};
-  if (accessor_count(file, *index) == count) return index;
-  file.notes->add(fmt::format("{}: accessors[{}] ({}) is left out: {} elements for {} positions", file.name, *index,
-                              name, accessor_count(file, *index), count));
-  return {};
-}
-
 void read_positions(Mesh& mesh, const JsonField& primitive, const std::vector<float>& values) {
   for (std::size_t i = 0; i < values.size() / 3; ++i) {
     const glm::vec3 p(values[3 * i], values[3 * i + 1], values[3 * i + 2]);
@@ -88,7 +77,7 @@ void read_tangents(Mesh& mesh, const GltfFile& file, const std::vector<float>& v
 void read_indices(Mesh& mesh, const GltfFile& file, const JsonField& primitive, Mode mode) {
   std::vector<std::uint32_t> corners;
   if (const auto index = primitive.index_or_none("indices", file.root().size_or_zero("accessors"))) {
-    corners = read_index_accessor(file, *index);
+    corners = read_unsigned_accessor(file, *index, 1);
   } else {
     corners.resize(mesh.vertices.size());
     for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = std::uint32_t(i);
@@ -109,7 +98,7 @@ void Budget::use(const JsonField& where, std::size_t more_vertices, std::size_t 
 }
 
 std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primitive, const TexcoordTransform& transform,
-                                   Budget& budget) {
+                                   const SkinnedNode* skinned, Budget& budget) {
   const auto mode = Mode(primitive.integer_or("mode", 0, 6, int(Mode::triangles)));
   const std::size_t accessors = file.root().size_or_zero("accessors");
   const auto position = primitive.at("attributes").index_or_none("POSITION", accessors);
@@ -132,26 +121,35 @@ std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primit
   const std::size_t corners = indices ? accessor_count(file, *indices) : count;
   budget.use(primitive, count, mode == Mode::triangles ? corners / 3 : corners);
 
+  std::optional<Skinning> skinning;
+  if (skinned) skinning.emplace(file, primitive, count, *skinned);
   Mesh mesh;
-  read_positions(mesh, primitive, read_accessor(file, *position, 3));
+  std::vector<float> places = read_accessor(file, *position, 3);
+  if (skinning) skinning->move_positions(places);
+  read_positions(mesh, primitive, places);
   if (const auto texcoord = attribute(file, primitive, "TEXCOORD_0", count))
     read_texcoords(mesh, file, read_accessor(file, *texcoord, 2), transform);
   read_indices(mesh, file, primitive, mode);
   if (mesh.indices.empty()) return {};
+  if (skinning) skinning->turn_triangles(mesh.indices);
 
   const auto normal = attribute(file, primitive, "NORMAL", count);
   if (!normal) {
     make_flat(mesh);
     return mesh;
   }
-  const std::vector<float> normals = read_accessor(file, *normal, 3);
+  std::vector<float> normals = read_accessor(file, *normal, 3);
+  if (skinning) skinning->turn_normals(normals);
   for (std::size_t i = 0; i < count; ++i)
     mesh.vertices[i].normal = {normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]};
   if (const std::size_t fixed = fix_normals(mesh))
     file.notes->add(
         fmt::format("{}: {} normals had no direction and were computed from the triangles", file.name, fixed));
-  if (const auto tangent = attribute(file, primitive, "TANGENT", count))
-    read_tangents(mesh, file, read_accessor(file, *tangent, 4));
+  if (const auto tangent = attribute(file, primitive, "TANGENT", count)) {
+    std::vector<float> tangents = read_accessor(file, *tangent, 4);
+    if (skinning) skinning->turn_tangents(tangents);
+    read_tangents(mesh, file, tangents);
+  }
   return mesh;
 }
 

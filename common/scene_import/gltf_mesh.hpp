@@ -6,6 +6,7 @@
 #include "scene/scene.hpp"
 #include "scene_import/gltf_file.hpp"
 #include "scene_import/gltf_materials.hpp"
+#include "scene_import/gltf_skin.hpp"
 
 namespace atelier::scene_import {
 
@@ -18,9 +19,10 @@ struct Budget {
 
 /// The triangles of a primitive, with strips and fans converted; none if it has none (points, lines, no positions).
 /// Texture coordinates are converted from glTF's (v down) to ours (v up) after `transform`. Missing normals become
-/// flat, as the standard requires; invalid ones are fixed. Throws Error for an index out of range or a position that is
-/// not finite.
+/// flat, as the standard requires; invalid ones are fixed. With `skinned` the vertices follow its skin, and are
+/// relative to the skin's origin in the world (Skinning); without (null) they are in the mesh's own space. Throws Error
+/// for an index out of range or a position that is not finite.
 std::optional<Mesh> read_primitive(const GltfFile& file, const JsonField& primitive, const TexcoordTransform& transform,
-                                   Budget& budget);
+                                   const SkinnedNode* skinned, Budget& budget);
 
 }  // namespace atelier::scene_import

@@ -9,6 +9,7 @@
 #include "scene_import/gltf_file.hpp"
 #include "scene_import/gltf_materials.hpp"
 #include "scene_import/gltf_mesh.hpp"
+#include "scene_import/gltf_skin.hpp"
 #include "scene_import/scene_import.hpp"
 #include "scene_import/tangents.hpp"
 
@@ -32,8 +33,10 @@ class GltfReader {
   std::vector<int> root_nodes() const;
   int add_node(int index, int parent);
   void place(Node& node, const JsonField& field) const;
+  std::vector<Part> read_parts(int mesh, const SkinnedNode* skinned);
   const std::vector<Part>& parts_of(int mesh);
-  void add_parts(int node, int mesh);
+  void add_parts(int node, const std::vector<Part>& parts);
+  void read_skinned_meshes();
   int checked_add(Node node);
   void read_camera(const JsonField& field, const glm::dmat4& world);
   void read_light(const JsonField& field, const glm::dmat4& world);
@@ -46,6 +49,7 @@ class GltfReader {
   Budget budget_;
   std::map<int, std::vector<Part>> parts_;      ///< by glTF mesh
   std::vector<std::pair<int, int>> instances_;  ///< glTF node, scene node
+  std::vector<std::pair<int, int>> skinned_;    ///< the same, of meshes with a skin
 };
 
 void GltfReader::read() {
@@ -70,7 +74,10 @@ void GltfReader::read() {
     for (std::size_t i = children ? children->size() : 0; i > 0; --i)
       steps.push_back({(*children)[i - 1].index(count), node});
   }
+  if (file_.root().size_or_zero("animations") > 0)
+    file_.notes->add(fmt::format("{}: animations are left out: all is as the nodes place it", file_.name));
   read_views_and_lights();
+  read_skinned_meshes();
 }
 
 std::vector<int> GltfReader::root_nodes() const {
@@ -108,10 +115,12 @@ int GltfReader::add_node(int index, int parent) {
   place(node, field);
   const int added = checked_add(std::move(node));
   instances_.emplace_back(index, added);
-  if (const auto mesh = field.index_or_none("mesh", file_.root().size_or_zero("meshes"))) add_parts(added, *mesh);
-  if (field.find("skin"))
-    file_.notes->add(
-        fmt::format("{}: skins are left out: shapes are as in their meshes, placed by their nodes", file_.name));
+  const auto mesh = field.index_or_none("mesh", file_.root().size_or_zero("meshes"));
+  const auto skin = field.index_or_none("skin", file_.root().size_or_zero("skins"));
+  if (mesh && skin)
+    skinned_.emplace_back(index, added);
+  else if (mesh)
+    add_parts(added, parts_of(*mesh));
   return added;
 }
 
@@ -135,8 +144,7 @@ void GltfReader::place(Node& node, const JsonField& field) const {
   node.rotation_angle = float(2 * std::atan2(sine, q[3]));
 }
 
-const std::vector<Part>& GltfReader::parts_of(int mesh) {
-  if (const auto found = parts_.find(mesh); found != parts_.end()) return found->second;
+std::vector<Part> GltfReader::read_parts(int mesh, const SkinnedNode* skinned) {
   const JsonField field = file_.root().at("meshes")[std::size_t(mesh)];
   const std::string name = field.text_or("name", fmt::format("mesh {}", mesh));
   const JsonField primitives = field.at("primitives");
@@ -144,7 +152,7 @@ const std::vector<Part>& GltfReader::parts_of(int mesh) {
   for (std::size_t i = 0; i < primitives.size(); ++i) {
     const JsonField primitive = primitives[i];
     const auto material = primitive.index_or_none("material", file_.root().size_or_zero("materials"));
-    auto read = read_primitive(file_, primitive, materials_.transform(material), budget_);
+    auto read = read_primitive(file_, primitive, materials_.transform(material), skinned, budget_);
     if (!read) continue;
     read->name = primitives.size() == 1 ? name : fmt::format("{} part {}", name, i);
     const int used = materials_.material(material);
@@ -152,17 +160,45 @@ const std::vector<Part>& GltfReader::parts_of(int mesh) {
     scene_.meshes.push_back(std::move(*read));
     parts.push_back({int(scene_.meshes.size()) - 1, used});
   }
-  return parts_[mesh] = std::move(parts);
+  return parts;
 }
 
-void GltfReader::add_parts(int node, int mesh) {
+const std::vector<Part>& GltfReader::parts_of(int mesh) {
+  if (const auto found = parts_.find(mesh); found != parts_.end()) return found->second;
+  return parts_[mesh] = read_parts(mesh, nullptr);
+}
+
+void GltfReader::add_parts(int node, const std::vector<Part>& parts) {
   // The first part belongs to the node itself, each further one to a child with identity transform.
-  const std::vector<Part>& parts = parts_of(mesh);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const int holder =
         i == 0 ? node : checked_add({.name = fmt::format("{} part {}", scene_.nodes[node].name, i), .parent = node});
     scene_.nodes[holder].mesh = parts[i].mesh;
     scene_.nodes[holder].material = parts[i].material;
+  }
+}
+
+/// Shapes that follow joints are in the world: each has a root of its own beside the node that names it, which keeps
+/// its children. Read last, when all joints are known.
+void GltfReader::read_skinned_meshes() {
+  if (skinned_.empty()) return;
+  const std::vector<glm::dmat4> world = world_matrices_exact(scene_.nodes);
+  std::vector<const glm::dmat4*> places(file_.root().size_or_zero("nodes"), nullptr);
+  for (const auto& [index, node] : instances_) places[std::size_t(index)] = &world[std::size_t(node)];
+  std::map<int, std::optional<Skin>> skins;
+  for (const auto& [index, node] : skinned_) {
+    const JsonField field = file_.root().at("nodes")[std::size_t(index)];
+    const int mesh = field.at("mesh").index(file_.root().size_or_zero("meshes"));
+    const int number = field.at("skin").index(file_.root().size_or_zero("skins"));
+    if (!skins.contains(number))
+      skins[number] = read_skin(file_, number, [&](int joint) { return places[std::size_t(joint)]; });
+    if (const std::optional<Skin>& skin = skins[number]) {
+      const SkinnedNode skinned{*skin, world[std::size_t(node)]};
+      const std::vector<Part> parts = read_parts(mesh, &skinned);
+      add_parts(checked_add({.name = scene_.nodes[node].name + " skinned", .translation = skin->origin}), parts);
+    } else {
+      add_parts(node, parts_of(mesh));
+    }
   }
 }
 

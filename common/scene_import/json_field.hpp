@@ -42,6 +42,9 @@ class JsonField {
   std::optional<int> index_or_none(const char* key, std::size_t count) const;
   std::size_t size_or_zero(const char* key) const;  ///< of an array
 
+  /// Where it is in the document: "accessors[3].count"; empty for the document itself.
+  const std::string& path() const { return path_; }
+
   /// Throws Error "file: path: complaint".
   [[noreturn]] void fail(const std::string& complaint) const;
 
@@ -51,7 +54,7 @@ class JsonField {
 
   const nlohmann::json* value_;
   const std::string* file_;
-  std::string path_;  ///< "accessors[3].count"
+  std::string path_;
 };
 
 /// Parses a document. Throws Error naming `file` if it is not JSON, or nested deeper than 64.

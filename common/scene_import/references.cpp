@@ -81,7 +81,8 @@ std::string decode_base64(std::string_view text) {
   bytes.reserve(text.size() / 4 * 3 + 2);
   unsigned bits = 0;
   int count = 0;  // of bits that do not fill a byte yet
-  for (const char c : text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
     int value = -1;
     if (c >= 'A' && c <= 'Z')
       value = c - 'A';
@@ -94,7 +95,11 @@ std::string decode_base64(std::string_view text) {
     else if (c == '/')
       value = 63;
     else
-      throw Error(fmt::format("broken base64 data (a byte of value {})", int(static_cast<unsigned char>(c))));
+      throw Error(fmt::format("broken base64 data: {} after {} characters (allowed: A-Z, a-z, 0-9, +, /, = at the end)",
+                              c == '\n' || c == '\r'
+                                  ? "a line break"
+                                  : fmt::format("a byte of value {}", int(static_cast<unsigned char>(c))),
+                              i));
     bits = bits << 6 | unsigned(value);
     count += 6;
     if (count >= 8) {

@@ -4,12 +4,12 @@
 //   glTF  the default scene's nodes (translation, rotation, scale, or a matrix), triangles, strips and fans with
 //         normals, tangents and texture coordinates 0, metallic-roughness and specular-glossiness materials, pictures
 //         (external, embedded, as data URIs), samplers, cameras, KHR_lights_punctual, KHR_texture_transform of the base
-//         colour.
+//         colour, skins in the rest pose (gltf_skin.hpp).
 //   OBJ   faces of any number of corners, concave ones too, materials, pictures, smoothing groups.
 // A mesh without valid tangents whose material has a normal map gets the standard's (scene/standard_tangents.hpp).
-// Not imported: skins (models are in their rest pose), morph targets, animations, vertex colours, opacity, points and
-// lines, texture coordinates 1 and up, curves and free-form surfaces. blinn_phong_of.hpp says how materials become
-// Blinn-Phong. Lengths and the up axis are those of the file (glTF: metres, y up).
+// Not imported: animations, morph targets, vertex colours, opacity, points and lines, texture coordinates 1 and up,
+// curves and free-form surfaces. blinn_phong_of.hpp says how materials become Blinn-Phong. Lengths and the up axis are
+// those of the file (glTF: metres, y up).
 //
 // We wrote our own readers because files are untrusted: each number is checked before use, errors name the field or the
 // line, and no file outside the model's own folder is opened.

@@ -73,7 +73,7 @@ TEST_CASE("broken glTF is refused in one sentence that names the field", "[scene
          d["accessors"][3]["componentType"] = 5126;
          d["accessors"][3]["count"] = 1;
        },
-       {"unsigned"}},
+       {"accessors[3].componentType: 5126 (allowed here: 5121, 5123, 5125)"}},
       {"data that are compressed",
        [](json& d) {
          d["accessors"][0].erase("bufferView");
@@ -94,6 +94,9 @@ TEST_CASE("broken glTF is refused in one sentence that names the field", "[scene
       {"absolute buffer", [](json& d) { d["buffers"][0]["uri"] = "/etc/passwd"; }, {"own folder"}},
       {"buffer from the net", [](json& d) { d["buffers"][0]["uri"] = "http://x/y.bin"; }, {"own folder"}},
       {"broken base64", [](json& d) { d["buffers"][0]["uri"] = "data:;base64,AA!A"; }, {"base64"}},
+      {"base64 with line breaks",
+       [](json& d) { d["buffers"][0]["uri"] = "data:;base64,AAAA\nAAAA"; },
+       {"buffers[0].uri: broken base64 data: a line break after 4 characters (allowed: A-Z"}},
       {"data URI of text", [](json& d) { d["buffers"][0]["uri"] = "data:text/plain,hello"; }, {"base64"}},
       {"sparse element out of range",
        [](json& d) {
