@@ -42,7 +42,9 @@ Container split_glb(const std::string& name, std::string_view bytes) {
   Container container;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {
     const std::uint64_t length = word_at(bytes, at), kind = word_at(bytes, at + 4);
-    if (at + 8 + length > bytes.size()) fail(fmt::format("the chunk at byte {} reaches past the end of the file", at));
+    if (at + 8 + length > bytes.size())
+      fail(fmt::format("the chunk at byte {} reaches past the end of the file, byte {} by its header", at,
+                       bytes.size()));
     const std::string_view data = bytes.substr(at + 8, length);
     if (kind == json_kind && container.json.empty()) container.json = data;
     if (kind == binary_kind && container.binary.empty()) container.binary = data;
@@ -53,7 +55,10 @@ Container split_glb(const std::string& name, std::string_view bytes) {
 }
 
 void check_version(const GltfFile& file) {
-  const std::string version = file.root().at("asset").at("version").text();
+  const JsonField field = file.root().at("asset").at("version");
+  if (const auto& number = file.document->at("asset").at("version"); number.is_number())  // as in early glTF 1.0
+    field.fail(fmt::format("the number {} (allowed: \"2.x\", a text)", number.dump()));
+  const std::string version = field.text();
   if (!version.starts_with("2.")) file.root().fail(fmt::format("glTF of version '{}' (allowed: 2.x)", version));
   const std::string least = file.root().at("asset").text_or("minVersion", "2.0");
   if (least != "2.0") file.root().fail(fmt::format("it needs glTF of version '{}' (here: 2.0)", least));

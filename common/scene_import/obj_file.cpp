@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 
@@ -43,6 +44,7 @@ class ObjParser {
       else if (keyword == "s")
         set_smoothing(lines_.word());
     }
+    check_numbers_ahead();
     return std::move(file_);
   }
 
@@ -69,12 +71,14 @@ class ObjParser {
     file_.normals.emplace_back(x, y, z);
   }
 
-  /// 1 is the first element of the list, -1 its last element so far.
+  /// 1 is the first element of the list, which may come later in the file; -1 its last element so far.
   int vertex(std::string_view text) {
     const std::optional<long long> value = whole_number(text);
     if (!value) lines_.fail(fmt::format("'{}' is not a vertex number", text.substr(0, 40)));
     const std::optional<int> place = place_in(*value, file_.positions.size());
     if (!place) lines_.fail(fmt::format("vertex {} of {}", *value, file_.positions.size()));
+    if (*place >= int(file_.positions.size()) && (ahead_.empty() || *place > ahead_.back().place))
+      ahead_.push_back({*place, lines_.line_number()});
     return *place;
   }
 
@@ -94,7 +98,24 @@ class ObjParser {
 
   static std::optional<int> place_in(long long value, std::size_t count) {
     const long long place = value > 0 ? value - 1 : (long long)(count) + value;
-    return value == 0 || place < 0 || place >= (long long)(count) ? std::nullopt : std::optional(int(place));
+    const bool possible = value != 0 && place >= 0 && place < std::numeric_limits<int>::max();
+    return possible ? std::optional(int(place)) : std::nullopt;
+  }
+
+  /// At the end of the file, when the lists are complete.
+  void check_numbers_ahead() {
+    for (const Ahead& ahead : ahead_)
+      if (ahead.place >= int(file_.positions.size()))
+        lines_.fail(fmt::format("vertex {} of {}", (long long)(ahead.place) + 1, file_.positions.size()), ahead.line);
+    const auto check = [&](int& place, std::size_t count) {
+      if (place < int(count)) return;
+      place = -1;
+      ++file_.missing_attributes;
+    };
+    for (ObjCorner& corner : file_.corners) {
+      check(corner.texcoord, file_.texcoords.size());
+      check(corner.normal, file_.normals.size());
+    }
   }
 
   /// "7", "7/2", "7//3" or "7/2/3".
@@ -138,6 +159,10 @@ class ObjParser {
 
   TextLines lines_;
   ObjFile file_;
+  struct Ahead {
+    int place, line;
+  };
+  std::vector<Ahead> ahead_;  ///< vertices named before they came, where the number was the largest so far
   Places object_places_, material_places_;
   int object_ = 0, material_ = -1, smoothing_ = -1;
   std::size_t triangles_ = 0;

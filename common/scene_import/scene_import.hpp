@@ -35,9 +35,9 @@ inline constexpr std::size_t max_import_texels = 256'000'000;  ///< in all pictu
 /// Throws Error, in one sentence that names the file and the field or line, if the file is missing, invalid, of another
 /// format or version, exceeds the limits, needs an unsupported extension, references data outside its folder, has a
 /// coordinate that is not finite, or has no triangles. Common defects are fixed instead: missing or invalid normals,
-/// missing pictures and material files, statements of materials that cannot be read, attributes that are missing or have
-/// the wrong length. A sentence about each, and about each kind of thing that is left out, is added to `notes`, if given
-/// (at most 100).
+/// missing pictures and material files, statements of materials that cannot be read, attributes that are missing or
+/// have the wrong length. A sentence about each, and about each kind of thing that is left out, is added to `notes`, if
+/// given (at most 100).
 Scene import_scene(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 
 }  // namespace atelier

@@ -94,8 +94,8 @@ std::optional<float> TextLines::number() {
   return float(value);
 }
 
-void TextLines::fail(const std::string& complaint) const {
-  throw Error(fmt::format("{}:{}: {}", name_, line_number_, complaint));
+void TextLines::fail(const std::string& complaint, int line) const {
+  throw Error(fmt::format("{}:{}: {}", name_, line, complaint));
 }
 
 }  // namespace atelier::scene_import

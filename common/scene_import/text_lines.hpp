@@ -27,8 +27,11 @@ class TextLines {
   /// infinity; "1.#INF", "1.#QNAN" and the like, which old programs write, are what they stand for.
   std::optional<float> number();
 
-  /// Throws Error "file:line: complaint".
-  [[noreturn]] void fail(const std::string& complaint) const;
+  int line_number() const { return line_number_; }  ///< of the current line, from 1
+
+  /// Throws Error "file:line: complaint" about the current line, or an earlier one.
+  [[noreturn]] void fail(const std::string& complaint) const { fail(complaint, line_number_); }
+  [[noreturn]] void fail(const std::string& complaint, int line) const;
 
  private:
   std::string_view text_;

@@ -24,7 +24,9 @@ TEST_CASE("broken glTF is refused in one sentence that names the field", "[scene
       {"no asset", [](json& d) { d.erase("asset"); }, {"'asset' is missing"}},
       {"version 1", [](json& d) { d["asset"]["version"] = "1.0"; }, {"version '1.0'"}},
       {"a newer version", [](json& d) { d["asset"]["minVersion"] = "2.1"; }, {"version '2.1'"}},
-      {"version as number", [](json& d) { d["asset"]["version"] = 2.0; }, {"asset.version", "text"}},
+      {"version as number",
+       [](json& d) { d["asset"]["version"] = 1; },
+       {"asset.version: the number 1 (allowed: \"2.x\""}},
       {"unknown extension", [](json& d) { d["extensionsRequired"] = {"X_y"}; }, {"'X_y'"}},
       {"scene out of range", [](json& d) { d["scene"] = 1; }, {"scene: index 1 of 1"}},
       {"node out of range", [](json& d) { d["scenes"][0]["nodes"] = {7}; }, {"scenes[0].nodes[0]: index 7 of 1"}},
@@ -158,13 +160,15 @@ TEST_CASE("files that are not glTF are refused by their content", "[scene_import
   for (int i = 0; i < 100'000; ++i) deep += '[';
   std::string longer = glb;
   longer[8] = char(longer[8] + 4);
+  std::string shorter = glb;
+  shorter[8] = char(shorter[8] - 4);
   std::string far_chunk = glb;
   far_chunk[15] = 0x7f;
   struct Row {
     const char* name;
     const char* file;
     std::string bytes;
-    const char* part;
+    std::string part;
   };
   const Row table[] = {
       {"empty", "a.gltf", "", "empty"},
@@ -180,6 +184,7 @@ TEST_CASE("files that are not glTF are refused by their content", "[scene_import
       {"truncated in the data", "a.glb", glb.substr(0, glb.size() - 1), "truncated"},
       {"longer than it is", "a.glb", longer, "truncated"},
       {"a chunk past the end", "a.glb", far_chunk, "past the end"},
+      {"a header that ends early", "a.glb", shorter, "the end of the file, byte " + std::to_string(glb.size() - 4)},
       {"no JSON chunk", "a.glb", "glTF" + bytes_of<std::uint32_t>({2, 20, 0, 0}), "without a JSON chunk"},
   };
   for (const Row& row : table) {

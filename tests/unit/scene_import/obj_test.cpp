@@ -52,6 +52,7 @@ TEST_CASE("faces of every OBJ form are imported", "[scene_import]") {
       {"numbers of all kinds", "v +0. .0 -0\nv 1e0 0 0e5\nv 10e-1 +1.0E+0 0\nf 1 2 3\n", 1, 0.5},
       {"numbers below a float's range, and a double's", "v 1e-60 0 -1e-400\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", 1, 0.5},
       {"colours after positions", "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 0 1 0\nf 1 2 3\n", 1, 0.5},
+      {"faces before what they name", "f 1/1/1 2/2/1 3/1/1\nvt 0 0\nvn 0 0 1\nvt 1 1\n" + square, 1, 0.5},
       {"points, lines and curves between", square + "p 1\nl 1 2\ncurv 0 1 1 2\nf 1 2\nf 1 2 3\n", 1, 0.5},
   };
   for (const Row& row : table) {
@@ -182,6 +183,8 @@ TEST_CASE("broken OBJ is refused with the line", "[scene_import]") {
       {"empty", "", {"empty"}},
       {"nothing but comments", "# nothing\n", {"no triangles to draw"}},
       {"vertex out of range", square + "f 1 2 9\n", {":5: vertex 9 of 4"}},
+      {"vertices that never come", "f 1 2 3\nf 1 2 9\nf 1 2 3\nf 1 2 12\n" + square, {":2: vertex 9 of 4"}},
+      {"a vertex beyond all numbers", square + "f 1 2 3000000000\n", {":5: vertex 3000000000 of 4"}},
       {"vertex zero", square + "f 0 1 2\n", {":5: vertex 0 of 4"}},
       {"vertex before the first", square + "f -5 1 2\n", {"vertex -5 of 4"}},
       {"vertex beyond integers", square + "f 99999999999999999999 1 2\n", {"'99999999999999999999'"}},
@@ -219,6 +222,7 @@ TEST_CASE("what a corner may lack is no reason to refuse a model", "[scene_impor
       {"texture coordinates that there are not", square + "f 1/2 2/2 3/2\n", "3 numbers"},
       {"texture coordinate 0", square + "vt 0 0\nf 1/0 2/1 3/1\n", "1 numbers"},
       {"normals that are none", square + "vn -1.#IND00 -1.#IND00 -1.#IND00\nf 1//1 2//1 3//1\n", "had no direction"},
+      {"what comes later", "f 1/1/1 2/1/1 3/1/1\nvt 0 0\nvn 0 0 1\n" + square, ""},
       {"empty places", square + "f 1// 2// 3//\n", ""},
   };
   for (const auto& row : rows) {
