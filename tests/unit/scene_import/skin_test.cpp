@@ -1,7 +1,9 @@
 // glTF's skins: models in their rest pose, against numbers known beforehand and against the standard's formula.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
-#include <numbers>
 #include <random>
 
 #include "small_gltf.hpp"
