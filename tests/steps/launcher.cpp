@@ -4,6 +4,7 @@
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "command.hpp"
+#include "judge/run/build.hpp"
 
 using namespace atelier;
 using namespace atelier::test;
@@ -26,12 +27,21 @@ class BareMachine {
   fs::path build() const { return folder_.path() / "build"; }
   fs::path bin() const { return folder_.path() / "bin"; }
 
-  Finished launch(std::vector<std::string> arguments) const {
+  /// Runs the launcher of the project in `root`; `changed` are variables that differ from the machine's.
+  Finished launch(std::vector<std::string> arguments, const fs::path& root = folders().root,
+                  std::map<std::string, std::string> changed = {}) const {
     const Finished bash = run_process({.arguments = {"sh", "-c", "command -v bash"}});
-    arguments.insert(arguments.begin(),
-                     {bash.output.substr(0, bash.output.find('\n')), (folders().root / "atelier").string()});
-    return run_process(
-        {.arguments = arguments, .environment = {{{"PATH", bin().string()}, {"ATELIER_BUILD", build().string()}}}});
+    arguments.insert(arguments.begin(), {bash.output.substr(0, bash.output.find('\n')), (root / "atelier").string()});
+    changed.insert({{"PATH", bin().string()}, {"ATELIER_BUILD", build().string()}});
+    return run_process({.arguments = arguments, .environment = changed});
+  }
+
+  /// A compiler that prints `version`, and fails otherwise if `works` is false.
+  void install_compiler(const std::string& version, bool works) const {
+    const fs::path program = bin() / "c++";
+    write_file(program, "#!/bin/sh\n[ \"$1\" != --version ] || { echo '" + version + "'; exit 0; }\nexit " +
+                            (works ? "0\n" : "1\n"));
+    fs::permissions(program, fs::perms::owner_all);
   }
 
  private:
@@ -47,6 +57,60 @@ TEST_CASE("doctor names what is missing on a bare machine, and installs and buil
   CHECK(finished.exit_status == 1);
   CHECK(mentions(finished.output, {"✗ compiler", "✗ cmake", "✗ ninja", "✗ build", "not built yet in",
                                    machine.build().string(), "fix: ./atelier list", "Something that is needed"}));
+  CHECK_FALSE(fs::exists(machine.build()));
+}
+
+TEST_CASE("doctor names a compiler that does not compile the project's C++", "[launcher]") {
+  const BareMachine machine;
+  machine.install_compiler("c++ (Old) 9.4.0", false);
+  CHECK(mentions(machine.launch({"doctor"}).output, {"✗ compiler", "c++ (Old) 9.4.0", "C++20", "GCC 12 or Clang 14"}));
+  machine.install_compiler("c++ (New) 12.2.0", true);
+  CHECK(mentions(machine.launch({"doctor"}).output, {"✓ compiler   c++ (New) 12.2.0"}));
+  // This machine's own, which has compiled this test.
+  fs::remove(machine.bin() / "c++");
+  fs::create_symlink(judge::read_step_flags(folders().step_flags()).compiler, machine.bin() / "c++");
+  CHECK(mentions(machine.launch({"doctor"}).output, {"✓ compiler"}));
+}
+
+TEST_CASE("a path in which nothing can be built is refused before anything is installed or made", "[launcher]") {
+  const BareMachine machine;
+  const TemporaryFolder folder;
+  const auto project_in = [&](const std::string& name) {
+    const fs::path root = folder.path() / name;
+    for (const char* file : {"atelier", "CMakeLists.txt", "common/cli/student/doctor.sh"})
+      write_file(root / file, read_file(folders().root / file));
+    return root;
+  };
+  for (const char c : std::string_view(R"(;#$":=\[]*?<>|`)")) {
+    const std::string character(1, c);
+    const fs::path root = project_in("a" + character + "b");
+    const Finished finished = machine.launch({"list"}, root);
+    INFO(finished.output);
+    CHECK(finished.exit_status == 2);
+    CHECK(mentions(finished.output, {"a" + character + "b contains the character " + character, "move or rename"}));
+  }
+  for (const char* name : {"plain", "a b", "it's", "R&D", "\u00fcbung", "a(1)+2,3~!@%^{}"}) {
+    const Finished finished = machine.launch({"list"}, project_in(name));
+    INFO(finished.output);
+    CHECK_FALSE(mentions(finished.output, {"contains"}));
+  }
+  CHECK(mentions(machine.launch({"list"}, project_in("a\nb")).output, {"a?b contains a control character"}));
+
+  struct Row {
+    const char *variable, *advice;
+  };
+  for (const Row& row : {Row{"ATELIER_BUILD", "set ATELIER_BUILD to another folder"},
+                         Row{"ATELIER_WORK", "set ATELIER_WORK to another folder"}}) {
+    INFO(row.variable);
+    const fs::path path = folder.path() / "mine;";
+    fs::create_directory(path);
+    for (const char* command : {"list", "doctor"}) {
+      const Finished finished = machine.launch({command}, folders().root, {{row.variable, path.string()}});
+      INFO(finished.output);
+      CHECK(mentions(finished.output, {path.string() + " contains the character ;", row.advice}));
+    }
+    CHECK(fs::is_empty(path));
+  }
   CHECK_FALSE(fs::exists(machine.build()));
 }
 

@@ -64,6 +64,12 @@ look_at_system() {
   finding good system "${PRETTY_NAME:-unknown}, $kernel; docs/platforms.md lists the tested systems"
 }
 
+look_at_paths() {
+  local complaint
+  complaint=$(complaint_about_paths)
+  if [[ -n $complaint ]]; then finding lack path "${complaint%: *}" "${complaint##*: }"; fi
+}
+
 look_at_compiler() {
   local name compiler='' version
   for name in ${CXX:-} c++ g++ clang++; do
@@ -76,11 +82,13 @@ look_at_compiler() {
     finding lack compiler 'neither c++, g++ nor clang++ is found' "$(install_command "${needed[0]:-}")"
     return
   fi
-  if ! echo '#include <concepts>' | "$compiler" -std=c++20 -fsyntax-only -x c++ - 2>/dev/null; then
-    finding lack compiler "$compiler does not compile C++20: GCC 12 or newer does" "$(install_command "${needed[0]:-}")"
+  version=$("$compiler" --version 2>/dev/null | head -n 1) || true
+  # A file of the project that needs no package.
+  if ! "$compiler" -std=c++20 -fsyntax-only -I"$root/common" "$root/common/image/scan.cpp" >/dev/null 2>&1; then
+    finding lack compiler "$compiler ($version) does not compile this project's C++20: GCC 12 or Clang 14 is needed, or newer" \
+      "$(install_command "${needed[0]:-}")"
     return
   fi
-  version=$("$compiler" --version | head -n 1)
   finding good compiler "$version"
 }
 
@@ -143,7 +151,7 @@ look_at_build() {
     finding lack build "not built yet in $build; OpenGL, display, sandbox and steps are looked at once it is" \
       './atelier list'
   elif ! words=$("$program" doctor --help 2>&1); then
-    finding lack build "$program does not start: ${words##*$'\n'}" "rm -r '$build' && ./atelier list"
+    finding lack build "$program does not start: ${words##*$'\n'}" "rm -r ${build@Q} && ./atelier list"
   fi
 }
 
@@ -193,6 +201,7 @@ doctor() {
   if ((EUID != 0)); then install_as='sudo '; fi
 
   look_at_system
+  look_at_paths
   look_at_compiler
   look_at_tool cmake 3.25 "${needed[1]:-}"
   look_at_tool ninja 1.10 "${needed[2]:-}"
