@@ -9,6 +9,7 @@
 #include "catch.hpp"
 #include "cli/author/step_rules.hpp"
 #include "command.hpp"
+#include "editor_tasks.hpp"
 #include "judge/compare/judged_case.hpp"
 
 using namespace atelier;
@@ -151,5 +152,19 @@ TEST_CASE("a step has the title of its step.cmake in its README and its handout"
     const auto first_line = [](const std::string& text) { return text.substr(0, text.find('\n')); };
     CHECK(first_line(read_file(folders().steps() / step.name / "README.md")) == "# " + step.name + ": " + step.title);
     CHECK(first_line(read_file(folders().handouts() / (step.name + ".md"))).find(step.title) != std::string::npos);
+  }
+}
+
+TEST_CASE("the commands of the editor's tasks exist", "[handouts]") {
+  const json file = editor_file("tasks.json");
+  for (const json& task : file.at("tasks")) {
+    INFO(task.at("label"));
+    CHECK(task.at("command") == "./atelier");
+    std::vector<std::string> arguments = {task.at("args").at(0)};
+    for (const json& argument : task["args"])
+      if (argument.get<std::string>().starts_with("--")) arguments.push_back(argument);
+    const Finished help = run_atelier({arguments[0], "--help"});
+    CHECK(help.exit_status == 0);
+    for (const std::string& argument : arguments) CHECK(help.output.find(argument) != std::string::npos);
   }
 }

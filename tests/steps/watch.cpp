@@ -6,11 +6,13 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <sstream>
 #include <thread>
 
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "command.hpp"
+#include "editor_tasks.hpp"
 
 using namespace atelier;
 using namespace atelier::test;
@@ -116,6 +118,18 @@ struct Work {
 
 constexpr const char* keys_line = "[q]uit";
 
+/// The number of lines in which an editor sees a round of the task `watch` begin or end.
+int count_lines(const std::string& printed, const char* pattern) {
+  const std::regex regex(editor_task("watch").at("problemMatcher")[0]["background"][pattern].get<std::string>());
+  int count = 0;
+  std::istringstream lines(printed);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (std::regex_search(line, regex)) ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 TEST_CASE("edit, verdict, edit, verdict, break, fix, reset, quit, resume", "[watch]") {
@@ -131,6 +145,8 @@ TEST_CASE("edit, verdict, edit, verdict, break, fix, reset, quit, resume", "[wat
     broken.erase(broken.find(';', broken.find("return ")), 1);
     work.save(broken);
     const std::string verdict = terminal.read_to(keys_line);
+    CHECK(count_lines(verdict, "beginsPattern") == 1);
+    CHECK(count_lines(verdict, "endsPattern") == 1);
     CHECK(mentions(verdict, {"build failed", "hello.glsl:", "syntax error", "0 of 2 cases passed"}));
     std::size_t said = 0;
     for (std::size_t at = verdict.find("syntax error"); at != std::string::npos;
@@ -183,11 +199,14 @@ TEST_CASE("a newer save cancels a running check", "[watch]") {
   REQUIRE(body != std::string::npos);
   hanging.insert(body + 2, "  for (volatile int i = 0;; i = i + 1) {}\n");
   write_file(file, hanging);
-  terminal.read_to("building and drawing");
+  CHECK(count_lines(terminal.read_to("building and drawing ..."), "beginsPattern") == 1);
   std::this_thread::sleep_for(3s);  // the compiler is not interrupted, the program is
   const auto begin = std::chrono::steady_clock::now();
   write_file(file, before);
-  CHECK(!mentions(terminal.read_to(keys_line), {"took longer"}));
+  const std::string rest = terminal.read_to(keys_line);
+  CHECK(!mentions(rest, {"took longer"}));
+  CHECK(count_lines(rest, "beginsPattern") == 1);
+  CHECK(count_lines(rest, "endsPattern") == 2);  // of the cancelled round and of the next
   INFO(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() << " s");
   terminal.press("q");
   CHECK(terminal.wait_for_end() == 0);

@@ -78,6 +78,7 @@ class Packer {
 
   Release pack(const std::vector<CourseStep>& course, Earlier earlier) {
     pack_project();
+    pack_editor_settings();
     for (const CourseStep& step : with_earlier_) {
       pack_given(step);
       pack_handout(step);
@@ -129,6 +130,17 @@ class Packer {
     take("handouts/README-release.md", "README.md");
     take_below("cmake", {".cmake", ".hpp"});
     take_below("common", {".cpp", ".hpp", ".glsl", ".cmake", ".sh", ".css", ".js", "CMakeLists.txt"});
+  }
+
+  /// Without the task that runs the project's tests: a release has none.
+  void pack_editor_settings() {
+    for (const char* file : {"extensions.json", "launch.json", "settings.json"}) take(std::string(".vscode/") + file);
+    OrderedJson file = OrderedJson::parse(read_file(folders_.root / ".vscode/tasks.json"));
+    OrderedJson kept = OrderedJson::array();
+    for (const OrderedJson& task : file.at("tasks"))
+      if (task.at("label") != "test") kept.push_back(task);
+    file["tasks"] = std::move(kept);
+    put(".vscode/tasks.json", file.dump(2) + "\n");
   }
 
   /// The contract, the README and the given code.

@@ -135,7 +135,8 @@ std::string explanation(const StepResult& step, std::size_t index, const Termina
                      linked(painted(printable(headline(step, index)), bold, style), case_anchor(step, shown), style) +
                      "\n";
   for (const Remark& remark : remarks(step, cause)) {
-    const bool verbatim = remark.label == "rerun";  // never wrap a command, so that it can be copied
+    // Never wrap a command, so that it can be copied, or a compiler's message, so that editors can read it.
+    const bool verbatim = remark.label == "rerun" || (remark.label == "found" && shown.status == Status::build_failed);
     const std::string words = printable(remark.text);
     text += painted(padded("  " + remark.label, label_width), dim, style) +
             (verbatim ? words : wrapped(words, style.width - label_width, label_width)) + "\n";

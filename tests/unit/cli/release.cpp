@@ -53,6 +53,9 @@ struct Project {
                              ".editorconfig",
                              ".gitignore",
                              "atelier",
+                             ".vscode/extensions.json",
+                             ".vscode/launch.json",
+                             ".vscode/settings.json",
                              "steps/CMakeLists.txt",
                              "steps/renames.txt",
                              "steps/skeletons.sha256",
@@ -77,6 +80,7 @@ struct Project {
                              "steps/01-move/given/main.cpp.orig",
                              "steps/02-light/given/main.cpp"})
       write(name, name);
+    write(".vscode/tasks.json", R"({"tasks": [{"label": "check"}, {"label": "test"}]})");
     write("handouts/README-release.md", "For students.");
     write("handouts/01-move.md", "![a](pictures/01-a.png), ![e](plots/01-error.svg), then [light](02-light.md#top).");
     write("handouts/02-light.md", "![a](pictures/02-a.png), after [moving](01-move.md#top).");
@@ -119,6 +123,10 @@ const std::set<std::string> always = {"CMakeLists.txt",
                                       ".clang-format",
                                       ".editorconfig",
                                       ".gitignore",
+                                      ".vscode/extensions.json",
+                                      ".vscode/launch.json",
+                                      ".vscode/settings.json",
+                                      ".vscode/tasks.json",
                                       "atelier",
                                       "README.md",
                                       "release.sha256",
@@ -173,6 +181,8 @@ TEST_CASE("a release contains exactly its list") {
     CHECK(release.files.at("atelier").executable);
     CHECK_FALSE(release.files.at("LICENSE").executable);
     CHECK(release.files.at("README.md").bytes == "For students.");
+    CHECK(nlohmann::json::parse(release.files.at(".vscode/tasks.json").bytes) ==
+          nlohmann::json::parse(R"({"tasks": [{"label": "check"}]})"));
     CHECK(release.files.at("skeletons/01-move/move.cpp").bytes ==
           "int given();\n  // TODO(01-move): write it\n  return 0;\n");
     CHECK(mentions(release.files.at("handouts/01-move.md").bytes,
