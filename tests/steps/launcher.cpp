@@ -81,7 +81,7 @@ TEST_CASE("a path in which nothing can be built is refused before anything is in
       write_file(root / file, read_file(folders().root / file));
     return root;
   };
-  for (const char c : std::string_view(R"(;#$":=\[]*?<>|`)")) {
+  for (const char c : std::string_view(R"(#$":=\[];&'^*?<>|`)")) {
     const std::string character(1, c);
     const fs::path root = project_in("a" + character + "b");
     const Finished finished = machine.launch({"list"}, root);
@@ -89,7 +89,7 @@ TEST_CASE("a path in which nothing can be built is refused before anything is in
     CHECK(finished.exit_status == 2);
     CHECK(mentions(finished.output, {"a" + character + "b contains the character " + character, "move or rename"}));
   }
-  for (const char* name : {"plain", "a b", "it's", "R&D", "\u00fcbung", "a(1)+2,3~!@%^{}"}) {
+  for (const char* name : {"plain", "a b", "\u00fcbung", "a(1)+2,3~!@%{}"}) {
     const Finished finished = machine.launch({"list"}, project_in(name));
     INFO(finished.output);
     CHECK_FALSE(mentions(finished.output, {"contains"}));
