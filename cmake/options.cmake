@@ -2,7 +2,7 @@
 add_library(atelier_options INTERFACE)
 target_compile_options(atelier_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
-  -Wno-restrict        # false positives of GCC 12 in std::string
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false positives of GCC 12 in std::string
   # False positives of GCC 13 and newer: they assume that a returned reference refers to a temporary string argument
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
   -ffp-contract=off)  # the same arithmetic with and without fused multiply-add

@@ -31,10 +31,10 @@ Json json_of(const Colour& colour) {
 
 SettingValue setting_from_json(const Json& value, const std::string& where) {
   using Whole = std::numeric_limits<int>;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number_integer()) return strict_json::integer(value, where, Whole::min(), Whole::max());
-  if (value.is_number()) return strict_json::number(value, where, -infinity, infinity);
+  if (value.is_number()) return strict_json::number(value, where, -unlimited, unlimited);
   const bool codes = value.is_string() && value.get_ref<const std::string&>().starts_with('#');
   if (value.is_array() || codes) return colour_from_json(value, where);
   if (value.is_string()) return strict_json::text(value, where, 64);

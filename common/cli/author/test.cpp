@@ -2,7 +2,7 @@
 //
 //   --quick   the unit tests, and the steps' solutions through the judge
 //   (default) all except "long" tests, and the unit tests again under AddressSanitizer and UBSan
-//   --all     everything, and the unit tests in a build without unity files
+//   --all     everything, and the unit tests in a build without unity files and in one by clang++
 //   --step    the tests of one step, topic by topic (test_step.cpp)
 //
 // ctest runs the programs; their labels give the tier (tests/CMakeLists.txt). The launcher has built them.
@@ -18,6 +18,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/process.hpp"
 #include "cli/author/test_step.hpp"
 #include "cli/author/test_tally.hpp"
 #include "cli/commands.hpp"
@@ -90,6 +91,10 @@ Tally run_preset(const ProjectFolders& folders, const std::string& preset, const
   return run_ctest(build, {"-L", "^" + label + "$"});
 }
 
+bool is_installed(const std::string& program) {
+  return run_process({.arguments = {"sh", "-c", "command -v \"$0\"", program}}).ok();
+}
+
 std::vector<std::string> selection_of(TestOptions::Tier tier) {
   switch (tier) {
     case TestOptions::Tier::quick:
@@ -120,6 +125,13 @@ int run_test(const TestOptions& options) {
   if (all) {
     fmt::print("\nAll files compiled separately, unoptimised, and the unit tests, in build/debug\n");
     tally += run_preset(folders, "debug", {"all", "baselines"}, "unit");
+    if (is_installed("clang++")) {
+      fmt::print("\nAll files compiled by clang++, and the unit tests, in build/clang\n");
+      tally += run_preset(folders, "clang", {"all", "baselines"}, "unit");
+    } else {
+      fmt::print("\nNot compiled by clang++, which is not installed\n");
+      ++tally.skipped;
+    }
   }
 
   if (tally.skipped > 0)

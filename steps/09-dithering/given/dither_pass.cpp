@@ -120,7 +120,7 @@ void DitherPass::prepare(Gl& gl, const Scene&) {
 
 // ---- Passes
 
-void DitherPass::bind_view(Binder& binder, const View& view) const {
+void DitherPass::bind_camera(Binder& binder, const View& view) const {
   const Camera& camera = view.camera;
   const glm::dmat3 to_world(glm::inverse(glm::lookAt(camera.eye, camera.target, glm::dvec3(camera.up))));
   binder.set("u_view_to_world", glm::mat3(to_world));
@@ -147,7 +147,7 @@ ChainPass DitherPass::shader_pass(const View& view) const {
   }
   pass.bind = [this, view](Binder& binder) {
     binder.set("u_levels", float(diffusion_.levels));
-    bind_view(binder, view);
+    bind_camera(binder, view);
     if (!ranks_) return;
     binder.set("u_side", side_);
     binder.texture("u_ranks", ranks_.id());
@@ -160,7 +160,7 @@ ChainPass DitherPass::line_pass(const View& view) const {
   pass.structure = no_lights();
   pass.structure["LINES"] = lines_ == "white" ? "1.0" : "0.0";
   pass.reads = {"position", "normal"};
-  pass.bind = [this, view](Binder& binder) { bind_view(binder, view); };
+  pass.bind = [this, view](Binder& binder) { bind_camera(binder, view); };
   return pass;
 }
 

@@ -29,7 +29,7 @@ class DitherPass : public Feature {
   ChainPass cpu_pass() const;
   ChainPass line_pass(const View& view) const;
   void diffuse(ByteImage& picture) const;
-  void bind_view(Binder& binder, const View& view) const;
+  void bind_camera(Binder& binder, const View& view) const;
   bool diffuses() const { return method_ == "floyd-steinberg" || method_ == "atkinson"; }
 
   std::string method_, held_, lines_;
