@@ -173,7 +173,7 @@ void write_step(const fs::path& root, const StepFiles& files) {
         missing.push_back(folder);
       for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder)
         if (fs::create_directory(*folder)) made.push_back(*folder);
-      replacements.push_back({root / path, [&text](const fs::path& beside) { write_file(beside, text); }});
+      replacements.push_back({root / path, [&text = text](const fs::path& beside) { write_file(beside, text); }});
     }
     replace_together(replacements);
   } catch (const std::exception& error) {

@@ -20,7 +20,8 @@ std::vector<Vertex> written_out(const Mesh& mesh) {
 DemoScene::DemoScene(Gl& gl, Scene scene, bool compact_texture) : scene_(std::move(scene)) {
   for (const Mesh& mesh : scene_.meshes) {
     const std::vector<Vertex> corners = written_out(mesh);
-    Drawn& drawn = meshes_.emplace_back(GlVertexArray(gl), GlBuffer(gl), GLsizei(corners.size()));
+    meshes_.push_back({GlVertexArray(gl), GlBuffer(gl), GLsizei(corners.size())});
+    const Drawn& drawn = meshes_.back();
     gl.BindVertexArray(drawn.vertex_array.id());
     gl.BindBuffer(GL_ARRAY_BUFFER, drawn.corners.id());
     gl.BufferData(GL_ARRAY_BUFFER, GLsizeiptr(corners.size() * sizeof(Vertex)), corners.data(), GL_STATIC_DRAW);

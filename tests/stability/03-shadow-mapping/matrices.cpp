@@ -60,13 +60,13 @@ void add_projection_rows(Group& group) {
   for (const auto& [words, frustum] : cases) {
     group.close(fmt::format("{}: its planes at -1 and 1", words),
                 {2e-4, "absolute", "at the near plane z/w is a difference of numbers a thousand times as large"},
-                [frustum] {
+                [frustum = frustum] {
                   return std::max(std::abs(depth_at(frustum, double(frustum.near)) + 1),
                                   std::abs(depth_at(frustum, double(frustum.far)) - 1));
                 });
     group.close(fmt::format("{}: its edges at 1", words),
                 {64 * rounding_unit, "absolute", "the tangent of 1.5 rad is fourteen times as steep as its angle"},
-                [frustum] { return edge_at(frustum, (double(frustum.near) + double(frustum.far)) / 2); });
+                [frustum = frustum] { return edge_at(frustum, (double(frustum.near) + double(frustum.far)) / 2); });
   }
   group.refuses("a spot whose planes are one, as around a sphere without size",
                 [] { light_projection({.extent = 0.5f, .near = 4, .far = 4}); });
