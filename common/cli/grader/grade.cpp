@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "base/file_url.hpp"
 #include "base/printable.hpp"
 #include "base/replace_together.hpp"
 #include "cli/commands.hpp"
@@ -150,10 +151,11 @@ int run_grade(const GradeOptions& options) {
   } catch (const std::exception&) {
     not_written = std::current_exception();
   }
-  fmt::print("{}", options.json ? judge::results_json(result)
-                                : judge::terminal_report(result, judge::terminal_style(STDOUT_FILENO)));
+  judge::TerminalStyle style = judge::terminal_style(STDOUT_FILENO);
+  if (judge::can_link(STDOUT_FILENO)) style.report_url = file_url(out / "report.html");
+  fmt::print("{}", options.json ? judge::results_json(result) : judge::terminal_report(result, style));
   if (not_written) std::rethrow_exception(not_written);
-  if (!options.json) fmt::print("Results: {}\n", out.string());
+  if (!options.json) fmt::print("Results: {}\n", judge::report_link(out.string(), result, style));
   return exit_ok;
 }
 

@@ -9,6 +9,7 @@
 #include <exception>
 
 #include "base/error.hpp"
+#include "base/file_url.hpp"
 #include "cli/commands.hpp"
 #include "cli/stop.hpp"
 #include "cli/student/after_pass.hpp"
@@ -23,14 +24,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void print_verdict(const judge::StepResult& result, const CheckOptions& options, const fs::path& report) {
+judge::TerminalStyle style_of(const CheckOptions& options, const fs::path& page) {
   judge::TerminalStyle style = judge::terminal_style(STDOUT_FILENO);
   style.table = options.table;
   style.heat_maps = options.heatmap;
-  if (!options.skip_report && judge::can_link(STDOUT_FILENO))
-    style.report_url = "file://" + (report / "report.html").string();
-  fmt::print("{}", judge::terminal_report(result, style));
-  std::fflush(stdout);
+  if (!options.skip_report && judge::can_link(STDOUT_FILENO)) style.report_url = file_url(page);
+  return style;
 }
 
 /// A note if a picture may have failed because of the driver: the stored references were drawn by llvmpipe.
@@ -64,6 +63,8 @@ int run_check(const CheckOptions& options) {
                   .live = options.live});
   const fs::path report =
       options.report.empty() ? own_report_folder(folders, check.step().name) : fs::absolute(options.report);
+  const fs::path page = report / "report.html";
+  const judge::TerminalStyle style = style_of(options, page);
 
   judge::SubmissionResult result;
   result.submission = "yours";
@@ -76,7 +77,10 @@ int run_check(const CheckOptions& options) {
   } catch (const Error&) {
     not_recorded = std::current_exception();
   }
-  if (!options.json) print_verdict(result.steps.front(), options, report);
+  if (!options.json) {
+    fmt::print("{}", judge::terminal_report(result.steps.front(), style));
+    std::fflush(stdout);
+  }
   if (not_recorded) std::rethrow_exception(not_recorded);
 
   if (options.json || !options.skip_report)
@@ -84,7 +88,7 @@ int run_check(const CheckOptions& options) {
   if (options.json) fmt::print("{}", judge::results_json(result));
   if (!options.skip_report) {
     write_own_report(result, report);
-    if (!options.json) fmt::print("Report: {}\n", (report / "report.html").string());
+    if (!options.json) fmt::print("Report: {}\n", judge::report_link(page.string(), result, style));
   }
   const bool passed = grade::all_passed(result.steps.front());
   if (!passed && !options.json) fmt::print("{}", on_another_driver(result, options.live));

@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/file_url.hpp"
 #include "base/file_watch.hpp"
 #include "base/process.hpp"
 #include "cli/commands.hpp"
@@ -195,7 +196,7 @@ void Session::show_hint() {
 void Session::open_report() const {
   const fs::path page = report() / "report.html";
   if (!fs::exists(page)) return fmt::print("There is no report yet.\n");
-  fmt::print("file://{}\n", page.string());
+  fmt::print("{}{}\n", file_url(page), result_ ? judge::place_to_begin(*result_) : "");
 #if defined(__APPLE__)
   const char* const opener = "open \"$0\"";
 #else

@@ -84,12 +84,22 @@ void add_errors(const CaseResult& result, const Displayed& shown, std::vector<Re
   pictures.push_back({"signed", "Signed difference \u00d716",
                       "Yours minus reference, 16 times, around grey, for " + result.title,
                       signed_difference(shown.yours, shown.reference, 16)});
-  if (result.worst && covers(shown.reference, *result.worst)) {
-    const std::string place = fmt::format("around ({}, {}), \u00d7{}", result.worst->x, result.worst->y, detail_zoom);
-    pictures.push_back(
-        {"detail", "Reference " + place, "The reference " + place, detail(shown.reference, *result.worst)});
-    pictures.push_back({"detail", "Yours " + place, "Yours " + place, detail(shown.yours, *result.worst)});
-  }
+}
+
+void add_mistake(const CaseResult& result, const Displayed& shown, std::vector<ReportPicture>& pictures) {
+  const auto& mistake = result.evidence->mistake;
+  if (!mistake || mistake->empty()) return;
+  pictures.push_back({"mistake", "The mistake it looks like",
+                      "The picture of the known mistake " + result.mistake.value_or("") + " for " + result.title,
+                      enlarged_to(shown_between(*mistake, shown.low, shown.high), shown.reference)});
+}
+
+void add_details(const CaseResult& result, const Displayed& shown, std::vector<ReportPicture>& pictures) {
+  if (!result.worst || !covers(shown.reference, *result.worst)) return;
+  const std::string place = fmt::format("around ({}, {}), \u00d7{}", result.worst->x, result.worst->y, detail_zoom);
+  pictures.push_back({"detail", "Yours " + place, "Yours " + place, detail(shown.yours, *result.worst)});
+  pictures.push_back(
+      {"detail", "Reference " + place, "The reference " + place, detail(shown.reference, *result.worst)});
 }
 
 std::string range_note(const Displayed& shown) {
@@ -121,20 +131,22 @@ Image difference_picture(const Image& yours, const Image& reference, float& larg
   return heat_map(errors, largest);
 }
 
+bool has_pictures(const CaseResult& result) {
+  return result.evidence && !result.evidence->yours.empty() && !result.evidence->reference.empty();
+}
+
 std::vector<ReportPicture> report_pictures(const CaseResult& result) {
   std::vector<ReportPicture> pictures;
-  if (!result.evidence || result.evidence->yours.empty() || result.evidence->reference.empty()) return pictures;
+  if (!has_pictures(result)) return pictures;
   const Displayed shown = displayed(result.evidence->yours, result.evidence->reference);
+  pictures.push_back({"yours", "Yours", "Your picture for " + result.title, shown.yours});
   pictures.push_back(
       {"reference", "Reference" + range_note(shown), "The reference for " + result.title, shown.reference});
-  pictures.push_back({"yours", "Yours", "Your picture for " + result.title, shown.yours});
   if (result.status != Status::passed) {
-    if (shown.yours.same_size(shown.reference)) add_errors(result, shown, pictures);
-    if (const auto& mistake = result.evidence->mistake; mistake && !mistake->empty()) {
-      pictures.push_back({"mistake", "The mistake it looks like",
-                          "The picture of the known mistake " + result.mistake.value_or("") + " for " + result.title,
-                          enlarged_to(shown_between(*mistake, shown.low, shown.high), shown.reference)});
-    }
+    const bool same_size = shown.yours.same_size(shown.reference);
+    if (same_size) add_errors(result, shown, pictures);
+    add_mistake(result, shown, pictures);
+    if (same_size) add_details(result, shown, pictures);
   }
   for (ReportPicture& picture : pictures) picture.pixels = shrink_to(picture.pixels, report_side);
   return pictures;

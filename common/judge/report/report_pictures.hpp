@@ -10,7 +10,7 @@ namespace atelier::judge {
 
 /// A picture ready for display, with its texts.
 struct ReportPicture {
-  std::string role;   ///< "reference", "yours", "difference", "flip", "mask", "signed", "detail", "mistake"
+  std::string role;   ///< "yours", "reference", "difference", "flip", "mask", "signed", "mistake", "detail"
   std::string title;  ///< the caption
   std::string alt;    ///< the text alternative, for readers who cannot see it
   Image pixels;       ///< encoded, finite, 0..1, opaque; at most `report_side` a side
@@ -20,9 +20,12 @@ inline constexpr int report_side = 768;  ///< pixels; larger pictures are shrunk
 inline constexpr int detail_side = 24;   ///< pixels around the worst one, before enlarging
 inline constexpr int detail_zoom = 8;
 
-/// For a failure: reference, yours, difference; FLIP error, mask of failing pixels, signed difference; reference and
-/// yours enlarged around the worst pixel, which a frame marks; the mistake's picture. Missing evidence is left out. For
-/// a pass: only reference and yours. Empty without evidence.
+/// Whether a result has evidence that report_pictures can show.
+bool has_pictures(const CaseResult& result);
+
+/// For a failure: yours, reference, difference; FLIP error, mask of failing pixels, signed difference; the mistake's
+/// picture; yours and the reference enlarged around the worst pixel, which a frame marks. Missing evidence is left out.
+/// For a pass: only yours and the reference. Empty without evidence.
 std::vector<ReportPicture> report_pictures(const CaseResult& result);
 
 /// Pictures mapped for display. If the reference exceeds 0..1 (with depths in metres, for example), its range is mapped

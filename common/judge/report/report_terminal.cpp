@@ -31,9 +31,15 @@ std::string painted(std::string text, const char* code, const TerminalStyle& sty
   return style.colour ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : text;
 }
 
-std::string linked(std::string text, const std::string& anchor, const TerminalStyle& style) {
+/// A link that a terminal shows as `words` (OSC 8).
+std::string hyperlink(const std::string& url, const std::string& words) {
+  return fmt::format("\x1b]8;;{}\x1b\\{}\x1b]8;;\x1b\\", printable(url), words);
+}
+
+/// A text as a link to a case in the HTML report.
+std::string linked(std::string text, const StepResult& step, const CaseResult& result, const TerminalStyle& style) {
   if (style.report_url.empty()) return text;
-  return fmt::format("\x1b]8;;{}#{}\x1b\\{}\x1b]8;;\x1b\\", printable(style.report_url), anchor, text);
+  return hyperlink(style.report_url + "#" + case_anchor(step, result, style.steps), text);
 }
 
 const char* colour_of(Status status) {
@@ -62,8 +68,8 @@ std::string mark(Status status, const TerminalStyle& style) {
 
 /// The name of a case, or the number of cases in a group, as a link to the HTML report.
 std::string group_name(const StepResult& step, const CaseGroup& group, int width, const TerminalStyle& style) {
-  const std::string name = fitted(printable(group.size() > 1 ? cases_words(group) : group.front()->name), width);
-  return linked(name, case_anchor(step, *group.front()), style) + std::string(std::size_t(width - columns(name)), ' ');
+  const std::string name = fitted(printable(group.size() > 1 ? cases_words(group.size()) : group.front()->name), width);
+  return linked(name, step, *group.front(), style) + std::string(std::size_t(width - columns(name)), ' ');
 }
 
 std::string group_score(const CaseGroup& group) {
@@ -132,8 +138,7 @@ std::string explanation(const StepResult& step, std::size_t index, const Termina
   const Cause& cause = step.causes[index];
   const CaseResult& shown = shown_case(step, cause);
   std::string text = "\n" + mark(shown.status, style) + " " +
-                     linked(painted(printable(headline(step, index)), bold, style), case_anchor(step, shown), style) +
-                     "\n";
+                     linked(painted(printable(headline(step, index)), bold, style), step, shown, style) + "\n";
   for (const Remark& remark : remarks(step, cause)) {
     // Never wrap a command, so that it can be copied, or a compiler's message, so that editors can read it.
     const bool verbatim = remark.label == "rerun" || (remark.label == "found" && shown.status == Status::build_failed);
@@ -187,9 +192,16 @@ std::string first_cause_report(const StepResult& step, const TerminalStyle& styl
   return text;
 }
 
+std::string report_link(const std::string& words, const SubmissionResult& result, const TerminalStyle& style) {
+  if (style.report_url.empty()) return words;
+  return hyperlink(style.report_url + place_to_begin(result), words);
+}
+
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style) {
   std::string text;
-  for (const StepResult& step : result.steps) text += terminal_report(step, style) + "\n";
+  TerminalStyle of_step = style;
+  of_step.steps = steps_in(result);
+  for (const StepResult& step : result.steps) text += terminal_report(step, of_step) + "\n";
   for (const std::string& note : result.notes) text += "skipped: " + printable(note) + "\n";
   int passed = 0;
   std::size_t cases = 0;

@@ -5,17 +5,19 @@
 
 #include "image/image.hpp"
 #include "judge/compare/result.hpp"
+#include "judge/report/report_words.hpp"
 
 namespace atelier::judge {
 
 /// What the terminal supports. The default is for a plain file: no escape sequences.
 struct TerminalStyle {
-  bool colour = false;     ///< ANSI colours
-  bool unicode = false;    ///< characters beyond ASCII
-  int width = 100;         ///< columns, at least 40
-  bool table = false;      ///< a line per case as well
-  bool heat_maps = false;  ///< show a map of each picture's failing pixels
-  std::string report_url;  ///< the HTML report that case names link to (OSC 8); empty: no links
+  bool colour = false;                       ///< ANSI colours
+  bool unicode = false;                      ///< characters beyond ASCII
+  int width = 100;                           ///< columns, at least 40
+  bool table = false;                        ///< a line per case as well
+  bool heat_maps = false;                    ///< show a map of each picture's failing pixels
+  std::string report_url;                    ///< the HTML report that case names link to (OSC 8); empty: no links
+  StepsInReport steps = StepsInReport::one;  ///< of that report; a report of a whole submission sets it
 };
 
 /// The style for a file descriptor and the environment: colour on a terminal unless NO_COLOR (no-color.org) is not
@@ -35,6 +37,9 @@ std::string terminal_report(const StepResult& step, const TerminalStyle& style);
 
 /// The same for one step, with the first cause only, and the headlines of the others.
 std::string first_cause_report(const StepResult& step, const TerminalStyle& style);
+
+/// Words about the report's place, such as its path: with style.report_url a link to it, at the case to begin with.
+std::string report_link(const std::string& words, const SubmissionResult& result, const TerminalStyle& style);
 
 /// The red channel, 0..1, of an error image (a mask of failing pixels, or a FLIP map) as framed text, `columns` wide. A
 /// darker character is a larger mean over the cell, relative to the largest mean; even one failing pixel shows as a

@@ -17,15 +17,6 @@ std::string colour_words(const Rgba& c) {
   return fmt::format("{:.4g} {:.4g} {:.4g}", c.r, c.g, c.b);
 }
 
-std::string slug(std::string_view text) {
-  std::string safe;
-  for (char c : text) {
-    const bool kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
-    safe += kept ? c : '-';
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::string points_text(double points) {
@@ -178,8 +169,17 @@ std::vector<Remark> remarks(const StepResult& step, const Cause& cause) {
   return all;
 }
 
-std::string cases_words(const CaseGroup& group) {
-  return fmt::format("{} {}", group.size(), group.size() == 1 ? "case" : "cases");
+std::string cases_words(std::size_t number) {
+  return fmt::format("{} {}", number, number == 1 ? "case" : "cases");
+}
+
+std::string passed_words(std::size_t passed, std::size_t cases) {
+  return cases > 1 && passed == cases ? fmt::format("All {} cases passed", cases)
+                                      : fmt::format("{} of {} passed", passed, cases_words(cases));
+}
+
+std::string passed_words(const StepResult& step) {
+  return passed_words(std::size_t(count(step, Status::passed)), step.cases.size());
 }
 
 std::string case_names(const CaseGroup& group) {
@@ -205,8 +205,28 @@ int count(const StepResult& step, Status status) {
                            [&](const CaseResult& result) { return result.status == status; }));
 }
 
-std::string case_anchor(const StepResult& step, const CaseResult& result) {
-  return slug(step.step) + "." + slug(result.name);
+std::string anchor_text(std::string_view name) {
+  std::string safe;
+  for (const char c : name) {
+    const bool kept =
+        (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+    safe += kept ? std::string(1, c) : fmt::format("~{:02X}", static_cast<unsigned char>(c));
+  }
+  return safe;
+}
+
+std::string case_anchor(const StepResult& step, const CaseResult& result, StepsInReport steps) {
+  return "case-" + (steps == StepsInReport::several ? anchor_text(step.step) + "." : "") + anchor_text(result.name);
+}
+
+StepsInReport steps_in(const SubmissionResult& result) {
+  return result.steps.size() > 1 ? StepsInReport::several : StepsInReport::one;
+}
+
+std::string place_to_begin(const SubmissionResult& result) {
+  for (const StepResult& step : result.steps)
+    if (!step.causes.empty()) return "#" + case_anchor(step, shown_case(step, step.causes.front()), steps_in(result));
+  return {};
 }
 
 std::string escape_markup(std::string_view text) {

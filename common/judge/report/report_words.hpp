@@ -56,7 +56,11 @@ const CaseResult& shown_case(const StepResult& step, const Cause& cause);
 std::string some_names(const std::vector<std::string>& names, std::size_t most = 12);
 
 /// "41 cases"
-std::string cases_words(const CaseGroup& group);
+std::string cases_words(std::size_t number);
+
+/// "31 of 48 cases passed", "All 48 cases passed"
+std::string passed_words(std::size_t passed, std::size_t cases);
+std::string passed_words(const StepResult& step);
 
 /// "sphere, teapot, look-at"
 std::string case_names(const CaseGroup& group);
@@ -73,12 +77,21 @@ std::string output_of(const CaseGroup& group);
 /// How many of the cases have this status.
 int count(const StepResult& step, Status status);
 
-/// A name that is unique in a report and safe in URLs and HTML: "02-blinn-phong.sphere".
-std::string case_anchor(const StepResult& step, const CaseResult& result);
+/// A name as part of an id and of an address: ASCII letters, digits, - and _ stay, any other byte becomes ~ and two
+/// hexadecimal digits. Different names give different texts.
+std::string anchor_text(std::string_view name);
+
+/// The place of a case in an HTML report, for report.html#PLACE: "case-sphere"; among several steps
+/// "case-02-blinn-phong.sphere", since steps may have cases of the same name.
+enum class StepsInReport { one, several };
+StepsInReport steps_in(const SubmissionResult& result);
+std::string case_anchor(const StepResult& step, const CaseResult& result, StepsInReport steps);
+
+/// The end of the address of a report: "#" and the place of the case to begin with; empty if all have passed.
+std::string place_to_begin(const SubmissionResult& result);
 
 /// Escapes text for HTML and XML content and quoted attributes: makes it printable (base/printable.hpp), keeps line
 /// breaks, and replaces & < > " ' by character references.
-
 std::string escape_markup(std::string_view text);
 
 }  // namespace atelier::judge

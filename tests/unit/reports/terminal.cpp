@@ -75,9 +75,10 @@ TEST_CASE("a failure is explained in order, a pass is not") {
 
 TEST_CASE("equal failures are explained once") {
   const std::string text = terminal_report(test::unbuilt_sample(41), {.table = true});
-  CHECK(test::mentions(text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x Begin with these 41 cases: build failed",
-                              "cases       case-0, case-1,", "case-40", "Fix the first compiler",
-                              "skipped: ../x leads out", "0 / 82 points, 0 of 41 cases passed"}));
+  CHECK(test::mentions(
+      text, {"  x 41 cases   0/82  build failed: blinn_phong.cpp:1:1", "x Begin with these 41 cases: build failed",
+             "cases       case-0, case-1,", "case-40", "Fix the first compiler", "skipped: ../x leads out",
+             "0 / 82 points, 0 of 41 cases passed"}));
   const auto times = [&](std::string_view words) {
     int found = 0;
     for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1)) ++found;
@@ -101,9 +102,23 @@ TEST_CASE("without colour there is no escape sequence, with it each ends") {
 }
 
 TEST_CASE("links lead to the place of a case in the HTML report") {
-  const std::string text = terminal_report(test::sample(), {.report_url = "file:///out/report.html"});
-  CHECK(
-      test::mentions(text, {"\x1b]8;;file:///out/report.html#02-blinn-phong.highlight\x1b\\Begin with highlight: all probes of the functions that it needs pass\x1b]8;;\x1b\\"}));
+  const TerminalStyle style{.report_url = "file:///out/report.html"};
+  const SubmissionResult result = test::sample();
+  const std::string words = "Begin with highlight: all probes of the functions that it needs pass\x1b]8;;\x1b\\";
+  CHECK(test::mentions(terminal_report(result, style),
+                       {"\x1b]8;;file:///out/report.html#case-02-blinn-phong.highlight\x1b\\" + words}));
+  CHECK(test::mentions(terminal_report(result.steps[1], style),
+                       {"\x1b]8;;file:///out/report.html#case-highlight\x1b\\" + words}));
+}
+
+TEST_CASE("the path of a report is a link to the case to begin with, where there are links") {
+  SubmissionResult result = test::sample();
+  const TerminalStyle style{.report_url = "file:///out/report.html"};
+  CHECK(report_link("/out", result, {}) == "/out");
+  CHECK(report_link("/out", result, style) ==
+        "\x1b]8;;file:///out/report.html#case-02-blinn-phong.highlight\x1b\\/out\x1b]8;;\x1b\\");
+  for (StepResult& step : result.steps) step.causes.clear();
+  CHECK(report_link("/out", result, style) == "\x1b]8;;file:///out/report.html\x1b\\/out\x1b]8;;\x1b\\");
 }
 
 TEST_CASE("hostile text is printed with escapes") {

@@ -50,7 +50,7 @@ TEST_CASE("cases without an answer for the same reason are a group") {
   std::string names;
   for (const CaseGroup& group : groups) names += case_names(group) + "; ";
   CHECK(names == "a, d; b; c; e; ");
-  CHECK(cases_words(groups[0]) == "2 cases");
+  CHECK(cases_words(groups[0].size()) == "2 cases");
   CHECK(sum_of(groups[0]).score == 1);
   CHECK(sum_of(groups[0]).max_score == 2);
   std::string said;
@@ -60,11 +60,46 @@ TEST_CASE("cases without an answer for the same reason are a group") {
   CHECK(output_of(groups[0]) == "hello\n");
 }
 
-TEST_CASE("anchors are safe in addresses") {
+TEST_CASE("anchors are safe in ids and addresses, and differ where names differ") {
   StepResult step;
-  CaseResult result;
-  step.step = "02-x", result.name = "a b\"><\x1b";
-  CHECK(case_anchor(step, result) == "02-x.a-b----");
+  step.step = "02-x";
+  const auto anchor = [&](std::string name, StepsInReport steps = StepsInReport::one) {
+    return case_anchor(step, {.name = std::move(name), .title = ""}, steps);
+  };
+  struct Row {
+    const char* name;
+    const char* anchor;
+  };
+  const Row rows[] = {{"sphere-2_a", "case-sphere-2_a"},
+                      {"a b", "case-a~20b"},
+                      {"a-b", "case-a-b"},
+                      {"a#b", "case-a~23b"},
+                      {"\"'<>&", "case-~22~27~3C~3E~26"},
+                      {"M\u00fcnze", "case-M~C3~BCnze"},
+                      {"a%20b", "case-a~2520b"},
+                      {"a~20b", "case-a~7E20b"},
+                      {"a.b", "case-a~2Eb"},
+                      {"", "case-"}};
+  for (const Row& row : rows) CHECK(anchor(row.name) == row.anchor);
+  CHECK(anchor("sphere", StepsInReport::several) == "case-02-x.sphere");
+  CHECK(anchor_text(test::hostile_text()).find_first_of(" \t\n\"'<>&#%./\x1b\x7f") == std::string::npos);
+}
+
+TEST_CASE("a report begins at its first cause") {
+  SubmissionResult result = test::sample();
+  CHECK(place_to_begin(result) == "#case-02-blinn-phong.highlight");
+  result.steps.erase(result.steps.begin());  // the step that passed
+  CHECK(place_to_begin(result) == "#case-highlight");
+  result.steps[0].causes.clear();
+  CHECK(place_to_begin(result) == "");
+}
+
+TEST_CASE("passed cases are counted in words") {
+  CHECK(passed_words(31, 48) == "31 of 48 cases passed");
+  CHECK(passed_words(48, 48) == "All 48 cases passed");
+  CHECK(passed_words(0, 1) == "0 of 1 case passed");
+  CHECK(passed_words(1, 1) == "1 of 1 case passed");
+  CHECK(passed_words(0, 0) == "0 of 0 cases passed");
 }
 
 TEST_CASE("markup is escaped") {
