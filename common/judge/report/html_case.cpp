@@ -4,6 +4,7 @@
 
 #include "base/base64.hpp"
 #include "image_io/image_io.hpp"
+#include "judge/report/report_pictures.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -54,11 +55,15 @@ std::string text_block(const char* label, const std::string& text, const char* k
                      escape_markup(text));
 }
 
-std::string pictures_html(const std::vector<ReportPicture>& pictures, bool at_once) {
-  if (pictures.empty()) return {};
-  std::string html = "<div class=\"pictures\">\n";
-  for (const ReportPicture& picture : pictures) html += picture_html(picture, at_once);
-  return html + "</div>\n";
+PicturesHtml pictures_html(const CaseResult& result, bool at_once) {
+  PicturesHtml html;
+  for (const ReportPicture& picture : report_pictures(result)) {
+    const bool first = picture.role == "yours" || picture.role == "reference" || picture.role == "difference";
+    (first ? html.first : html.rest) += picture_html(picture, at_once && first);
+  }
+  if (!html.first.empty()) html.first = "<div class=\"pictures first\">\n" + html.first + "</div>\n";
+  if (!html.rest.empty()) html.rest = "<div class=\"pictures\">\n" + html.rest + "</div>\n";
+  return html;
 }
 
 std::string numbers_html(const CaseResult& result) {
@@ -73,19 +78,20 @@ std::string numbers_html(const CaseResult& result) {
 }
 
 std::string case_html(const std::string& anchor, const CaseResult& result) {
+  const PicturesHtml pictures = pictures_html(result);
   return fmt::format(
              "<details class=\"case\" id=\"{}\">\n<summary>{}<span class=\"title\">{}</span> {} {}</summary>\n"
              "<div class=\"body\">\n",
              anchor, status_html(result.status), escape_markup(result.title), name_link(anchor, result),
              score_html(result)) +
-         pictures_html(report_pictures(result)) + remarks_html(remarks(result)) + numbers_html(result) +
+         pictures.first + remarks_html(remarks(result)) + numbers_html(result) + pictures.rest +
          text_block("Program output", result.output) + "</div>\n</details>\n";
 }
 
-std::string card_html(const std::string& anchor, const CaseResult& result, const std::vector<ReportPicture>& pictures) {
+std::string card_html(const std::string& anchor, const CaseResult& result) {
   return fmt::format("<article class=\"case card\" id=\"{}\">\n<h4>{}</h4>\n<p>{} {}</p>\n", anchor,
                      escape_markup(result.title), name_link(anchor, result), score_html(result)) +
-         pictures_html(pictures) + fmt::format("<p class=\"soft\">{}</p>\n", escape_markup(result.reason)) +
+         pictures_html(result).first + fmt::format("<p class=\"soft\">{}</p>\n", escape_markup(result.reason)) +
          text_block("Program output", result.output) + "</article>\n";
 }
 

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "judge/report/report_pictures.hpp"
 #include "judge/report/report_words.hpp"
 
 namespace atelier::judge {
@@ -22,9 +21,12 @@ std::string remarks_html(const std::vector<Remark>& remarks);
 /// Text as it is, under a label; nothing for an empty text. `kind` is the class of the block.
 std::string text_block(const char* label, const std::string& text, const char* kind = "output");
 
-/// The pictures of a case, the script's slider among them; nothing without pictures. `at_once`: those that are seen
-/// first, which a browser decodes before it shows the page.
-std::string pictures_html(const std::vector<ReportPicture>& pictures, bool at_once = false);
+/// The pictures of a case: yours, the reference and the difference, to which the script adds a slider; and the rest.
+/// Both are empty without pictures. `at_once`: the first ones are in sight, so a browser need not load them lazily.
+struct PicturesHtml {
+  std::string first, rest;
+};
+PicturesHtml pictures_html(const CaseResult& result, bool at_once = false);
 
 /// What was measured, the inputs and numbers of a probe: what follows the remarks of a case.
 std::string numbers_html(const CaseResult& result);
@@ -33,6 +35,6 @@ std::string numbers_html(const CaseResult& result);
 std::string case_html(const std::string& anchor, const CaseResult& result);
 
 /// A case that has passed, with its pictures in sight.
-std::string card_html(const std::string& anchor, const CaseResult& result, const std::vector<ReportPicture>& pictures);
+std::string card_html(const std::string& anchor, const CaseResult& result);
 
 }  // namespace atelier::judge

@@ -3,14 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "judge/report/html_case.hpp"
+#include "judge/report/report_pictures.hpp"
 
 namespace atelier::judge {
 namespace {
 
 using Indices = std::vector<std::size_t>;
+
+/// Remarks of a cause that its line, its pictures and its lists of cases show.
+bool is_shown_otherwise(const Remark& remark) {
+  constexpr std::string_view labels[] = {"cases", "also to do", "seen in", "also wrong", "waiting"};
+  return std::find(std::begin(labels), std::end(labels), remark.label) != std::end(labels);
+}
 
 class StepPage {
  public:
@@ -31,6 +40,8 @@ class StepPage {
 
  private:
   std::string anchor(const CaseResult& result) const { return case_anchor(step_, result, steps_); }
+
+  std::size_t index_of(const CaseResult& result) const { return std::size_t(&result - step_.cases.data()); }
 
   /// Takes a case for the page: false if the page has it already.
   bool place(std::size_t index) {
@@ -81,17 +92,20 @@ class StepPage {
         label, cases_words(names.size()), escape_markup(some_names(names)), cases);
   }
 
-  /// What one failing picture shows of a wrong function: with a link to the case, since it is another one.
-  std::string seen_html(const CaseResult& result, bool at_once) {
-    place(std::size_t(&result - step_.cases.data()));
+  /// A failing picture that shows what a wrong function does: what is seen at first, and all that is known about it.
+  PicturesHtml seen_html(const CaseResult& result, bool at_once) {
+    place(index_of(result));
+    PicturesHtml html = pictures_html(result, at_once);
     std::vector<Remark> own = remarks(result);
     std::erase_if(own, [](const Remark& remark) { return remark.label == "waits for" || remark.label == "try next"; });
-    return fmt::format("<div class=\"seen case\" id=\"{}\">\n<p>seen in {} <span class=\"soft\">{}</span></p>\n",
-                       anchor(result), name_link(anchor(result), result), escape_markup(result.title)) +
-           pictures_html(report_pictures(result), at_once) +
-           fmt::format("<details class=\"list\"><summary>What {} should show</summary>\n", escape_markup(result.name)) +
-           remarks_html(own) + numbers_html(result) + text_block("Program output", result.output) +
-           "</details>\n</div>\n";
+    html.first =
+        fmt::format("<div class=\"case\" id=\"{}\">\n<p><span class=\"label\">seen in</span> {} {}</p>\n{}</div>\n",
+                    anchor(result), name_link(anchor(result), result), escape_markup(result.title), html.first);
+    html.rest = fmt::format("<details class=\"list\">\n<summary><span class=\"label\">more of</span> {}</summary>\n",
+                            escape_markup(result.name)) +
+                remarks_html(own) + numbers_html(result) + html.rest + text_block("Program output", result.output) +
+                "</details>\n";
+    return html;
   }
 
   /// The names of cases without an answer, each with its place.
@@ -103,39 +117,44 @@ class StepPage {
     return html + "</ul>\n";
   }
 
+  /// The line of a cause. Functions that are as in the skeleton stand in it, so that one line says it all.
+  std::string cause_summary(std::size_t index, const CaseGroup& group, const std::string& to_do) const {
+    const CaseResult& shown = *group.front();
+    const Points sum = sum_of(group);
+    return fmt::format(
+        "<summary>{}<h3>{}</h3> {} <span class=\"score\">{}</span>{}</summary>\n", status_html(shown.status),
+        escape_markup(headline(step_, index)), group.size() > 1 ? "" : name_link(anchor(shown), shown),
+        score_text(sum.score, sum.max_score),
+        to_do.empty() ? "" : "<span class=\"soft to-do\">also to do " + escape_markup(to_do) + "</span>");
+  }
+
+  /// What to correct, the first one open: its pictures, its words, then the cases that it explains, folded.
   std::string cause_html(std::size_t index) {
     const Cause& cause = step_.causes[index];
     const CaseResult& shown = shown_case(step_, cause);
-    const bool first = index == 0;
     const CaseResult* const picture = pictured(cause);
     const CaseGroup group = cause.kind == Cause::Kind::no_answer ? shown_group(step_, cause) : CaseGroup{&shown};
-    const bool several = group.size() > 1;
-    for (const CaseResult* result : group) place(std::size_t(result - step_.cases.data()));
+    const bool first = index == 0, several = group.size() > 1;
+    for (const CaseResult* result : group) place(index_of(*result));
 
-    // What lists of cases below say is no remark.
-    std::vector<Remark> said = remarks(step_, cause);
     std::string to_do;
+    std::vector<Remark> said = remarks(step_, cause);
     std::erase_if(said, [&](const Remark& remark) {
-      if (remark.label == "also to do") to_do = remark.label + " " + remark.text;
-      return remark.label == "cases" || remark.label == "also wrong" || remark.label == "waiting" ||
-             remark.label == "seen in" || remark.label == "also to do";
+      if (remark.label == "also to do") to_do = remark.text;
+      return is_shown_otherwise(remark);
     });
-
-    std::string html = fmt::format(
-        "<details class=\"case cause\"{}{}>\n<summary>{}<h3>{}</h3> {} <span class=\"score\">{}</span>{}</summary>\n"
-        "<div class=\"body\">\n",
-        several ? "" : fmt::format(" id=\"{}\"", anchor(shown)), first ? " open" : "", status_html(shown.status),
-        escape_markup(headline(step_, index)), several ? "" : name_link(anchor(shown), shown),
-        score_text(sum_of(group).score, sum_of(group).max_score),
-        to_do.empty() ? "" : "<span class=\"soft to-do\">" + escape_markup(to_do) + "</span>");
+    std::string html = fmt::format("<details class=\"case cause\"{}{}>\n",
+                                   several ? "" : fmt::format(" id=\"{}\"", anchor(shown)), first ? " open" : "") +
+                       cause_summary(index, group, to_do) + "<div class=\"body\">\n";
     if (several) html += names_html(group);
+    PicturesHtml pictures;
     if (picture == &shown)
-      html += pictures_html(report_pictures(shown), first);
+      pictures = pictures_html(shown, first);
     else if (picture != nullptr)
-      html += seen_html(*picture, first);
-    html += remarks_html(said) + numbers_html(shown) + text_block("Program output", output_of(group));
-    html += list_html("also wrong", cause.shown);
-    html += list_html(cause.kind == Cause::Kind::picture ? "also wrong" : "waiting", cause.waiting);
+      pictures = seen_html(*picture, first);
+    html += pictures.first + remarks_html(said) + numbers_html(shown) + pictures.rest +
+            text_block("Program output", output_of(group)) + list_html("also wrong", cause.shown) +
+            list_html(cause.kind == Cause::Kind::picture ? "also wrong" : "waiting", cause.waiting);
     return html + "</div>\n</details>\n";
   }
 
@@ -144,8 +163,8 @@ class StepPage {
     std::string cards, rest;
     for (const CaseResult& result : step_.cases) {
       if (result.status != Status::passed) continue;
-      if (const auto pictures = report_pictures(result); !pictures.empty())
-        cards += card_html(anchor(result), result, pictures);
+      if (has_pictures(result))
+        cards += card_html(anchor(result), result);
       else
         rest += case_html(anchor(result), result);
     }

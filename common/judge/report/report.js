@@ -78,7 +78,7 @@ function show(index) {
 }
 for (const button of all(".pictures button")) {
   button.addEventListener("click", () => {
-    shown = all("button img", button.closest(".pictures"));
+    shown = all(".pictures button img", button.closest("details, .card"));
     show(shown.indexOf(button.querySelector("img")));
     viewer.showModal();
   });
