@@ -42,7 +42,7 @@ for (const pictures of all(".pictures")) {
   const [yours, reference, difference] =
     ["yours", "reference", "difference"].map(role => pictures.querySelector(`[data-role=${role}]`));
   if (!difference) continue;
-  const range = make("input", {type: "range", min: 0, max: 100, step: 0.5, value: 50});
+  const range = make("input", {type: "range", min: 0, max: 100, step: 1, value: 50});
   range.setAttribute("aria-label", "Wipe between your picture and the reference");
   const copies = [yours, reference].map(figure => figure.querySelector("img").cloneNode());
   copies.forEach(copy => { copy.alt = ""; });

@@ -74,8 +74,9 @@ TEST_CASE("the worst pixel is framed in its enlarged surroundings, at corners to
     failed.worst->x = x, failed.worst->y = y;
     failed.evidence->reference.at(x, y) = {0, 1, 0, 1};
     const auto pictures = report_pictures(failed);
-    const auto detail =
-        std::find_if(pictures.begin(), pictures.end(), [](const auto& p) { return p.role == "detail"; });
+    const auto detail = std::find_if(pictures.begin(), pictures.end(), [](const auto& p) {
+      return p.role == "detail" && p.title.starts_with("Reference");
+    });
     REQUIRE(detail != pictures.end());
     CHECK(detail->pixels.width() == detail_side * detail_zoom);
     const auto green = std::count(detail->pixels.pixels().begin(), detail->pixels.pixels().end(), Rgba{0, 1, 0, 1});
