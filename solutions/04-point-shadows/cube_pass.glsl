@@ -1,5 +1,9 @@
 // 04-point-shadows, the cube pass: how triangles get into the six faces, and what is stored there. The contract of a
 // function is the comment above it. GEOMETRY is defined for the geometry shader, FRAGMENT for the fragment shader.
+//
+// Given to the geometry shader, declared already: triangles go in, a triangle strip of at most 18 vertices comes out;
+//   in vec3 v_corner_world[3];        uniform mat4 u_face_matrices[6];
+//   out vec3 g_position_world;        uniform float u_face_wanted[6];
 
 #ifdef GEOMETRY
 // Draws one triangle into every face whose u_face_wanted[face] is above 0.5, each time as a separate triangle. Its

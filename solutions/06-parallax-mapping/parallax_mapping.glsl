@@ -1,12 +1,12 @@
 // 06-parallax-mapping, for every pixel: where does the ray from the eye meet the relief? The contract of a function is
 // the comment above it.
 //
-// The relief lies below the surface. In texture coordinates it is a height field: height_at(texcoord), 0 to 1, given in
-//   #include "06-parallax-mapping/given/relief.glsl"
-// Height 1 is the surface itself, height 0 is the deepest level, u_depth below it (as a fraction of the texture's side,
-// like the depth of step 05's height maps). A ray enters at (texcoord, height 1) and reaches height 0 at texcoord + span.
-// A point of the ray is named by t, 0 to 1, the fraction of this way: its texture coordinate is texcoord + t span, its
-// height 1 - t.
+// The relief lies below the surface. In texture coordinates it is a height field: float height_at(vec2 texcoord), 0 to
+// 1, is given in the file included below. It may be called anywhere, also in loops and branches. Height 1 is the
+// surface itself, height 0 is the deepest level, `depth` below it (as a fraction of the texture's side, like the depth
+// of step 05's height maps); the functions that need it have it as a parameter. A ray enters at (texcoord, height 1)
+// and reaches height 0 at texcoord + span. A point of the ray is named by t, 0 to 1, the fraction of this way: its
+// texture coordinate is texcoord + t span, its height 1 - t.
 #include "06-parallax-mapping/given/relief.glsl"
 
 // ---- The ray

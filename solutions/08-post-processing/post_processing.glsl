@@ -1,6 +1,8 @@
 // 08-post-processing: what each pass does to a pixel. The contract of each function is the comment above it. All
 // colours are linear light with the primaries of Rec. 709, finite and at least 0; before tone mapping they may be above
-// 1. Uniforms are in given/post_inputs.glsl.
+// 1.
+//
+// Given, in the file included below: float u_weights[LAST_WEIGHT + 1], with LAST_WEIGHT at least 0; float u_table_size.
 #include "08-post-processing/given/post_inputs.glsl"
 
 // ---------------------------------------------------------------------------------------------------------------------

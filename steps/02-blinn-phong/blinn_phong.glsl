@@ -1,6 +1,18 @@
 // 02-blinn-phong, the fragment shader's part: light that arrives at a surface, and light that leaves it. The contract
 // of a function is the comment above it. The letters (E, kd, N, L, ...) are those of the model in blinn_phong.hpp.
-// World space, metres, linear light. Structs and uniforms are in this file:
+// World space, metres, linear light.
+//
+// Given, in the file included below:
+//   Material          vec3 diffuse, specular; float exponent    kd, ks and n
+//   PointLight        u_point_lights[POINT_LIGHTS]              position, colour, attenuation (the coefficients c)
+//   SpotLight         u_spot_lights[SPOT_LIGHTS]                the same, direction (of its axis) and cosines
+//   DirectionalLight  u_directional_lights[DIRECTIONAL_LIGHTS]  direction, colour
+//   vec3              u_ambient                                 the ambient light
+//   float visible_from_point(int i), visible_from_spot(int i), visible_from_directional(int i)
+//   sampler2D         u_power_table                             only where POWER is 2
+// SPECULAR, and with it NORMALISATION and POWER, are defined only where the material has a highlight; without it the
+// two are 0 in #if. POINT_LIGHTS, SPOT_LIGHTS and DIRECTIONAL_LIGHTS are the numbers of lights in the scene. Where one
+// is 0, there is no such array: put what uses it between #if POINT_LIGHTS > 0 and #endif.
 #include "02-blinn-phong/given/lights.glsl"
 
 // ---- Light that arrives

@@ -1,6 +1,18 @@
 // 03-shadow-mapping, the lookup: which fraction of a light reaches a point. The contract of a function is the comment
 // above it. World space and metres, unless it says "in the map": there u and v go from 0 to 1 across the map, and z is
-// the depth, from 0 to 1. ShadowLight, u_shadow_maps and the other uniforms and macros are in this file:
+// the depth, from 0 to 1.
+//
+// Given, in the file included below:
+//   ShadowLight            mat4 world_to_map; vec3 eye, direction; float half_width, near, far, width;
+//                          bool directional; int layer
+//   u_shadow_maps          texture(u_shadow_maps, vec3(u, v, layer)).r is the stored depth; where COMPARE is defined,
+//                          texture(u_shadow_maps, vec4(u, v, layer, z)) is a float, the answer of the comparison
+//   float u_bias           the bias in texels, for one comparison with one texel
+//   float u_depth_epsilon  how much equal depths may differ after rounding
+//   FILTER_WIDTH           a float: the side of the square of texels on which all PCF x PCF comparisons depend
+//   COMPARISON_HALF_WIDTH  a float: half the side of the square of texels on which one comparison depends
+//   SAMPLES, and vec2 sample_point(int i)   only where PCSS is defined
+// PCF and BIAS are always defined, as whole numbers; COMPARE and PCSS are defined or not.
 #include "03-shadow-mapping/given/shadows.glsl"
 
 // ---- One lookup

@@ -1,6 +1,15 @@
 // 04-point-shadows, the lookup: which fraction of a point light reaches a point. The contract of a function is the
 // comment above it. World space, metres. A cube stores distances from the light as fractions of light.far. from_light
-// is the vector from the light to a point, in metres. CubeLight and the functions that read a cube are in this file:
+// is the vector from the light to a point, in metres.
+//
+// Given, in the first file included below:
+//   CubeLight    vec3 position; float far; int cube, the number of its cube map
+//   float cube_resolution()        texels along an edge of a cube map; 1 where the scene has none
+//   float stored_in_cube(int cube, vec3 direction)                          only where COMPARE is not defined
+//   float compared_with_cube(int cube, vec3 direction, float reference)     only where COMPARE is defined
+//   PCF, BIAS, FILTER_WIDTH, u_bias, u_depth_epsilon                        as in step 03
+// CUBES is the number of cube maps, 0 to 4. Their samplers u_cube_0, u_cube_1 ... are declared only as far as there are
+// any, so read them through these functions alone.
 #include "04-point-shadows/given/cubes.glsl"
 // Step 03's functions, the biases among them:
 #include "03-shadow-mapping/shadow_mapping.glsl"

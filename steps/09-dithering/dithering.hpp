@@ -98,7 +98,7 @@ std::vector<std::uint8_t> bitmap_file(std::span<const std::uint8_t> bits, int wi
 /// (challenge) The levels that `diffused` gives for these codes (0 .. 255 for the values 0 .. 1), for
 /// Kernel::floyd_steinberg without serpentine, in a fraction of the time. `codes` are pixels of four channels, each of
 /// which is a picture of its own; so are the levels. Throws std::invalid_argument if levels is not 2..256, width is
-/// below 1, or the last row is not full. ./atelier bench 09 has the times. Handout, section 8.
+/// below 1, or the last row is not full. Handout, section 8.
 std::vector<std::uint8_t> diffused_fast(std::span<const std::uint8_t> codes, int width, int levels);
 
 }  // namespace atelier::dithering

@@ -2,6 +2,9 @@
 // light, at least 0. Texture coordinates run from (0, 0), the lower left corner of the picture, to (1, 1); `size` is
 // that of the picture in pixels. Distances in a picture are in half heights: the middle of its upper edge is 1 away
 // from its centre, that of its right edge size.x / size.y. Directions are in view space: x right, y up, -z ahead.
+//
+// Given, in the files included below: step 08's functions; vec3 shown(vec3 light), the brightness of each channel on a
+// display in steps that are about even for the eye, 0 to 1.
 #include "08-post-processing/post_processing.glsl"
 #include "10-artstyles/given/shown.glsl"
 
