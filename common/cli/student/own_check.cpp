@@ -11,6 +11,7 @@
 #include "cli/criteria.hpp"
 #include "cli/student/own_files.hpp"
 #include "cli/student/progress_record.hpp"
+#include "cli/student/unfinished.hpp"
 #include "judge/report/preview.hpp"
 #include "judge/report/report_html.hpp"
 #include "judge/report/report_json.hpp"
@@ -54,8 +55,9 @@ OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course
       options_(std::move(options)),
       judge_(criteria_of(folders, step_), options_.cases) {
   if (options_.live && !is_there(folders_, step_.name, Owner::solution))
-    throw Error(fmt::format("--references live: the solution draws them, and {} does not exist",
-                            (folders_.solutions() / step_.name).string()));
+    throw Error(fmt::format(
+        "--references live: the solution draws them, and this copy of the course has none of {} that runs here",
+        step_.name));
   read_progress(folders_.progress());  // report an invalid record before the work
 }
 
@@ -87,6 +89,10 @@ judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
       own.built.ok ? judge_.judge(settings, judge::KeepEvidence::always) : judge_.judge_unbuilt(own.built);
   if (own.built.unusable.empty()) result.build_log = own.built.log;
   result.implementations = in_words(own.earlier, step_.name, "yours");
+  if (grade::all_passed(result)) return result;  // whatever the earlier steps are like
+  const auto unfinished = unfinished_steps(folders_, course_, own.earlier);
+  for (const auto& [name, state] : unfinished) result.implementations[name] += ", " + state;
+  result.caveat = about_unfinished(folders_, step_, unfinished);
   return result;
 }
 

@@ -81,6 +81,7 @@ OrderedJson step_json(const StepResult& step) {
           {"max_score", points(step.max_score)},
           {"references", step.references},
           {"implementations", step.implementations},
+          {"caveat", step.caveat},
           {"build_log", step.build_log},
           {"causes", causes_json(step)},
           {"cases", std::move(cases)}};

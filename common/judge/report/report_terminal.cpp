@@ -94,7 +94,9 @@ std::string group_line(const StepResult& step, const CaseGroup& group, int name_
 
 std::string header(const StepResult& step, const TerminalStyle& style) {
   const std::string score = step.max_score > 0 ? score_text(step.score, step.max_score) : "no points in this step";
-  std::string text =
+  std::string text;
+  if (!step.caveat.empty()) text = painted(wrapped(printable(step.caveat), style.width, 0), bold, style) + "\n\n";
+  text +=
       fmt::format("{}  {}  {}, {} of {} cases passed\n", painted(printable(step.step), bold, style),
                   printable(step.title), painted(score, bold, style), count(step, Status::passed), step.cases.size());
   for (const auto& [of_step, who] : step.implementations)

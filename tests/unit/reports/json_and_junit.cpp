@@ -28,6 +28,7 @@ TEST_CASE("results.json has the members that other programs rely on") {
   const auto& step = document["steps"][1];
   CHECK(step["step"] == "02-blinn-phong");
   CHECK(step["implementations"]["01-transforms"] == "yours");
+  CHECK(step["caveat"] == "");
   const char* const statuses[] = {"passed", "failed", "failed", "missing", "crashed", "timeout", "build_failed"};
   REQUIRE(step["cases"].size() == std::size(statuses));
   for (std::size_t i = 0; i < std::size(statuses); ++i) {

@@ -178,6 +178,7 @@ SubmissionResult hostile_sample() {
   result.environment = {{bad, bad}};
   for (StepResult& step : result.steps) {
     step.step += bad, step.title = bad, step.build_log = bad, step.implementations = {{bad, bad}};
+    step.caveat = bad;
     for (CaseResult& c : step.cases) {
       c.name += bad, c.title = bad, c.asked = bad, c.reason = bad, c.mistake = bad, c.mistake_sentence = bad;
       c.hint = bad, c.credit = bad, c.command = bad, c.table = bad, c.output = bad, c.figures = {{bad, std::nan("")}};

@@ -73,6 +73,13 @@ TEST_CASE("a failure is explained in order, a pass is not") {
   CHECK(test::mentions(text, {"<-- wrong", "| about to draw", "4.45 / 11 points, 2 of 8 cases passed"}));
 }
 
+TEST_CASE("what the points do not say is said before them") {
+  judge::StepResult step = test::sample().steps[1];
+  step.caveat = "It uses 01-transforms (untouched). First: ./atelier check 01";
+  for (const std::string& text : {judge::terminal_report(step, {}), judge::first_cause_report(step, {})})
+    CHECK(text.starts_with(step.caveat + "\n\n02-blinn-phong"));
+}
+
 TEST_CASE("equal failures are explained once") {
   const std::string text = terminal_report(test::unbuilt_sample(41), {.table = true});
   CHECK(test::mentions(
