@@ -11,6 +11,11 @@
 
 namespace atelier {
 
+/// The commands that need what no release has: readable solutions, mistakes, tests. A release refuses them.
+inline constexpr const char* for_whole_project[] = {"compare", "release", "new-step",  "mistake",
+                                                    "mutate",  "tables",  "skeleton",  "reference",
+                                                    "audit",   "bench",   "stability", "test"};
+
 struct ListOptions {
   bool json = false;
 };
@@ -95,9 +100,9 @@ struct GradeOptions {
 int run_grade(const GradeOptions& options);
 
 struct ReleaseOptions {
-  std::vector<std::string> steps;  ///< or "all"
-  std::filesystem::path out;       ///< a new or empty folder, or a path that ends in .zip
-  std::string earlier = "none";    ///< or "source", "library"
+  std::vector<std::string> steps;   ///< or "all"
+  std::filesystem::path out;        ///< a new or empty folder, or a path that ends in .zip
+  std::string earlier = "library";  ///< or "none", "source" (cli/grader/release_contents.hpp)
 };
 int run_release(const ReleaseOptions& options);
 

@@ -59,6 +59,10 @@ ProjectFolders project_folders() {
   return folders;
 }
 
+bool is_release() {
+  return fs::exists(fs::path(ATELIER_ROOT) / "release.sha256");
+}
+
 std::vector<CourseStep> read_course(const fs::path& step_flags) {
   const std::string where = step_flags.string();
   const Json document = strict_json::parse(read_file(step_flags, 1 << 20), where);

@@ -67,6 +67,10 @@ struct ProjectFolders {
 /// cannot.
 ProjectFolders project_folders();
 
+/// Whether this copy of the project is a release: it has no tests, and of solutions at most what stands in for steps
+/// that a student has not passed (cli/grader/release_contents.hpp).
+bool is_release();
+
 /// The steps in step_flags.json (written by CMake), sorted by name. Throws Error naming the file and the member.
 std::vector<CourseStep> read_course(const std::filesystem::path& step_flags);
 

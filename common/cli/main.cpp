@@ -174,8 +174,9 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   release->add_option("--out", options.release.out, "A new or empty folder, or a file that ends in .zip")->required();
   release
       ->add_option("--earlier", options.release.earlier,
-                   "What to include for earlier steps that these use: skeletons (none), solutions (source), or "
-                   "solutions compiled for machines like this one (library); shaders are always readable text")
+                   "What stands in for earlier steps that a student has not passed: their solutions in no readable "
+                   "form, compiled for machines like this one (library); solutions as text, of steps that are not "
+                   "released too (source); nothing (none)")
       ->check(CLI::IsMember({"none", "source", "library"}))
       ->capture_default_str();
 }
@@ -305,12 +306,23 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   test->add_option("--step", options.test.step, "Only the tests of this step")->excludes(quick)->excludes(all);
 }
 
+/// In a release: hides those commands, and refuses the one that is named.
+void leave_out_of_release(CLI::App& app, const std::string& named) {
+  for (const char* name : for_whole_project) {
+    if (named == name)
+      throw Error(fmt::format(
+          "{}: a release has no tests and no solutions to read, which this command needs; ./atelier help lists those "
+          "that are here",
+          named));
+    app.get_subcommand(name)->group("");
+  }
+}
+
 /// CLI11 would only say that a command is missing; this suggests the nearest one.
-void refuse_unknown_command(const CLI::App& app, int count, char** arguments) {
-  if (count < 2 || arguments[1][0] == '-') return;
+void refuse_unknown_command(const CLI::App& app, const std::string& named) {
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  const std::string& named = arguments[1];
+  for (const CLI::App* command : app.get_subcommands({}))
+    if (!command->get_group().empty()) known.push_back(command->get_name());
   if (std::find(known.begin(), known.end(), named) == known.end())
     throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
 }
@@ -335,7 +347,9 @@ int run(int count, char** arguments) {
   describe_for_students(interface, options);
   describe_for_graders(interface, options);
   describe_for_authors(interface, options);
-  refuse_unknown_command(interface.app, count, arguments);
+  const std::string named = count < 2 || arguments[1][0] == '-' ? "" : arguments[1];
+  if (is_release()) leave_out_of_release(interface.app, named);
+  if (!named.empty()) refuse_unknown_command(interface.app, named);
   try {
     interface.app.parse(count, arguments);
   } catch (const CLI::CallForHelp& help) {

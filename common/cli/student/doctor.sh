@@ -58,10 +58,11 @@ look_at_system() {
   local PRETTY_NAME=''
   # shellcheck source=/dev/null
   if [[ -r /etc/os-release ]]; then . /etc/os-release; fi
-  local kernel
+  local kernel tested=''
   kernel=$(uname -srm)
   [[ $kernel == *[Mm]icrosoft* ]] && kernel+=' (WSL)'
-  finding good system "${PRETTY_NAME:-unknown}, $kernel; docs/platforms.md lists the tested systems"
+  if ! is_release; then tested='; docs/platforms.md lists the tested systems'; fi
+  finding good system "${PRETTY_NAME:-unknown}, $kernel$tested"
 }
 
 look_at_paths() {
@@ -121,7 +122,7 @@ look_at_packages() {
     finding good packages 'all that are needed are installed'
   fi
   note_missing 'useful, and missing' "${useful[@]}"
-  note_missing 'missing, and used by ./atelier test alone' "${tests[@]}"
+  is_release || note_missing 'missing, and used by ./atelier test alone' "${tests[@]}"
 }
 
 # note_missing WORDS PACKAGE...: a note on those that are not there, and one on those that this system does not have.
