@@ -59,6 +59,8 @@ function(atelier_step name)
 
   # Compile the given code once, to a static library that later steps' programs link too.
   file(GLOB given CONFIGURE_DEPENDS ${folder}/given/*.cpp)
+  atelier_unseal(unsealed ${folder}/given ${name})
+  list(APPEND given ${unsealed})
   set(program ${folder}/given/main.cpp)
   list(REMOVE_ITEM given ${program})
   add_library(program-${name} MODULE ${program})

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <set>
 #include <system_error>
 
 #include "base/error.hpp"
 #include "cli/student/standing.hpp"
+#include "judge/run/source_file.hpp"
 
 namespace atelier {
 namespace {
@@ -21,10 +23,22 @@ bool has_passed(const ProjectFolders& folders, const CourseStep& step) {
 }
 
 Owner choose_owner(const ProjectFolders& folders, const CourseStep& earlier, const std::string& asked) {
-  const Owner wanted =
-      asked == "mine" || (asked.empty() && has_passed(folders, earlier)) ? Owner::mine : Owner::solution;
-  const Owner other = wanted == Owner::mine ? Owner::solution : Owner::mine;
-  return is_there(folders, earlier.name, wanted) ? wanted : other;
+  if (asked == "mine") return Owner::mine;
+  const bool has_solution = is_there(folders, earlier.name, Owner::solution);
+  if (asked == "solution" && !has_solution)
+    throw Error(fmt::format("--earlier solution: this copy of the course has no solution of {} that runs here; {}",
+                            earlier.name, "leave the option out, or use --earlier mine"));
+  return has_solution && (asked == "solution" || !has_passed(folders, earlier)) ? Owner::solution : Owner::mine;
+}
+
+/// Whether a library is for processors like this one, as the ELF headers say.
+bool runs_here(const fs::path& library) {
+  const auto processor_of = [](const fs::path& file) {
+    std::string header(20, '\0');
+    std::ifstream(file, std::ios::binary).read(header.data(), std::streamsize(header.size()));
+    return header.substr(0, 7) + header.substr(18);  // magic number, class, byte order, version; e_machine
+  };
+  return processor_of(library) == processor_of("/proc/self/exe");
 }
 
 std::set<std::string> steps_in(const fs::path& folder) {
@@ -42,7 +56,15 @@ std::string to_string(Owner owner) {
 }
 
 bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner) {
-  return fs::is_directory(code_of(folders, owner).sources / step);
+  const fs::path sources = code_of(folders, owner).sources / step;
+  const fs::path carried = sources / "libstep.so";
+  return fs::is_directory(sources) && (owner == Owner::mine || !fs::exists(carried) || runs_here(carried));
+}
+
+bool is_solution_readable(const ProjectFolders& folders, const CourseStep& step) {
+  return std::all_of(step.files.begin(), step.files.end(), [&](const std::string& file) {
+    return judge::why_unusable(folders.solutions() / step.name / file).empty();
+  });
 }
 
 grade::Code code_of(const ProjectFolders& folders, Owner owner) {

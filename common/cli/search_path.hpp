@@ -17,15 +17,21 @@ std::string to_string(Owner owner);  ///< "yours", "solution": for reports
 /// The folders of the student's code, or of the solutions.
 grade::Code code_of(const ProjectFolders& folders, Owner owner);
 
-/// Whether this owner has code for the step: a release may have no solutions.
+/// Whether this owner has code for the step that runs here: a release may have no solutions, or libraries for machines
+/// of another kind.
 bool is_there(const ProjectFolders& folders, const std::string& step, Owner owner);
+
+/// Whether the step's solution is here as text: a release has none, or a compiled one, unless it was made with
+/// `--earlier source`.
+bool is_solution_readable(const ProjectFolders& folders, const CourseStep& step);
 
 /// Owners by earlier step.
 using Owners = std::map<std::string, Owner>;
 
-/// The owner of the code for each step that `step` uses: `asked` ("mine" or "solution") if that exists, otherwise the
-/// other one. If `asked` is empty: the student if the last full `check` of that step passed every case and its files
-/// have not changed since (cli/student/progress_record.hpp), otherwise the solution. Throws Error for another `asked`.
+/// The owner of the code for each step that `step` uses, as `asked`: "mine" or "solution". If `asked` is empty: the
+/// student if the last full `check` of that step passed every case and its files have not changed since
+/// (cli/student/progress_record.hpp), otherwise the solution, or the student where there is none. Throws Error for
+/// another `asked`, and for a solution that is asked for and not there.
 Owners choose_owners(const ProjectFolders& folders, const std::vector<CourseStep>& course, const CourseStep& step,
                      const std::string& asked);
 

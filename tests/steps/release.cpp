@@ -1,9 +1,14 @@
 // A release contains nothing that students must find out, works alone, and its submissions can be graded.
 #include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
 
 #include "base/file.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 #include "cli/author/marked_text.hpp"
+#include "cli/commands.hpp"
 #include "cli/grader/release_leaks.hpp"
 #include "command.hpp"
 #include "judge/compare/judged_case.hpp"
@@ -23,6 +28,15 @@ grade::PackedFiles files_below(const fs::path& folder) {
   return files;
 }
 
+constexpr const char* elf = "\177ELF";  // how a library begins
+
+/// Whether a file of solutions/ is in no readable form: a library without debug information, or a sealed shader.
+bool is_unreadable(const std::string& name, const std::string& bytes) {
+  if (name.ends_with(".glsl")) return is_sealed(bytes);
+  return name.ends_with("/libstep.so") && bytes.starts_with(elf) && bytes.find(".debug_") == bytes.npos &&
+         bytes.find(folders().root.string()) == bytes.npos;
+}
+
 /// What may not be in a release, as FILE: WHAT.
 std::vector<std::string> secrets_in(const grade::PackedFiles& files) {
   std::vector<std::string> found;
@@ -33,13 +47,63 @@ std::vector<std::string> secrets_in(const grade::PackedFiles& files) {
     for (const auto& c : judge::read_case_file(folders().case_file(step.name)).cases)
       if (c.hidden) hidden.push_back(c.ask.name);
   for (const auto& [name, file] : files) {
-    if (name.ends_with(".patch") || name.starts_with("solutions/")) found.push_back(name);
+    if (name.ends_with(".patch")) found.push_back(name);
+    if (name.starts_with("solutions/") && !is_unreadable(name, file.bytes)) found.push_back(name + ": can be read");
     if (!name.starts_with("common/") && file.bytes.find(".patch\"") != std::string::npos)
       found.push_back(name + ": a patch's name");
     for (const std::string& c : hidden)
       if (name.find("/" + c + ".") != name.npos || name.find("/" + c + "--") != name.npos ||
           file.bytes.find('"' + c + '"') != std::string::npos)
         found.push_back(name + ": the hidden case " + c);
+  }
+  return found;
+}
+
+/// What the pattern's group holds at each of its places in the text.
+std::set<std::string> found_in(const std::string& text, const std::regex& pattern) {
+  std::set<std::string> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), pattern), end; at != end; ++at) found.insert((*at)[1]);
+  return found;
+}
+
+std::set<std::string> commands_in(const std::string& text) {
+  static const std::regex command(R"(\./atelier ([a-z][a-z-]*))");
+  return found_in(text, command);
+}
+
+/// Whether a release has the command: it exists, and needs nothing that a release lacks.
+bool is_command_of_release(const std::string& command) {
+  static std::map<std::string, bool> known = {{"help", true}};  // the launcher's own
+  const auto [entry, is_new] = known.emplace(command, false);
+  if (is_new)
+    entry->second =
+        std::find(std::begin(for_whole_project), std::end(for_whole_project), command) == std::end(for_whole_project) &&
+        run_atelier({command, "--help"}).exit_status == 0;
+  return entry->second;
+}
+
+/// Where a text for students leads nowhere, as FILE: WHAT: a link to a file that is not packed, a given file of a
+/// handout's step that is not, a command that a release does not have.
+std::vector<std::string> dead_ends(const grade::PackedFiles& files) {
+  static const std::regex link(R"(\]\(([^)#\s]+)[^)]*\))");
+  std::vector<std::string> found;
+  for (const auto& [name, file] : files) {
+    const bool page = name.ends_with(".md");
+    const bool contract = name.starts_with("skeletons/") || (name.starts_with("steps/") && name.ends_with(".hpp"));
+    if (!page && !contract && !name.starts_with("tests/")) continue;
+    if (page || contract || name.ends_with(".json"))
+      for (const std::string& command : commands_in(file.bytes))
+        if (!is_command_of_release(command)) found.push_back(name + ": ./atelier " + command);
+    if (!page) continue;
+    static const std::regex given("`(given/[a-z_]+\\.[a-z]+)`");
+    for (const std::string& mentioned : found_in(file.bytes, given))
+      if (!files.contains("steps/" + fs::path(name).stem().string() + "/" + mentioned))
+        found.push_back(name + ": " + mentioned);
+    for (const std::string& target : found_in(file.bytes, link)) {
+      if (target.starts_with("https://")) continue;
+      const fs::path path = (fs::path(name).parent_path() / target).lexically_normal();
+      if (!files.contains(path.generic_string())) found.push_back(name + ": " + target);
+    }
   }
   return found;
 }
@@ -54,7 +118,7 @@ TEST_CASE("a release of the course contains no line of a solution, no patch and 
   REQUIRE(finished.exit_status == 0);
   CHECK(mentions(finished.output, {"files", "points", "patches", "hidden cases"}));
   grade::PackedFiles files = files_below(out);
-  CHECK(secrets_in(files).empty());
+  CHECK(secrets_in(files) == std::vector<std::string>{});
 
   CHECK(distinctive_lines(folders(), course(), course()).size() > 100);
   for (const CourseStep& step : course())
@@ -75,6 +139,7 @@ TEST_CASE("a release of the course contains no line of a solution, no patch and 
       {"skeletons/01-transforms/transforms.cpp", marked},
       {"tests/mistakes/01-transforms/axis.patch", "--- a/transforms.cpp\n"},
       {"solutions/00-hello/hello.glsl", "x"},
+      {"solutions/01-transforms/libstep.so", elf + folders().root.string()},
       {"tests/mistakes/00-hello/mistakes.json", R"([{"patch": "red-and-blue.patch"}])"},
   };
   for (const auto& [name, text] : slips) {
@@ -82,6 +147,34 @@ TEST_CASE("a release of the course contains no line of a solution, no patch and 
     grade::PackedFiles leaky = files;
     leaky[name].bytes = text;
     CHECK_FALSE(secrets_in(leaky).empty());
+  }
+}
+
+TEST_CASE("what a release has for its readers leads somewhere", "[release]") {
+  const TemporaryFolder temporary;
+  grade::PackedFiles whole;
+  for (const char* steps : {"all", "05"}) {
+    const fs::path out = temporary.path() / steps;
+    REQUIRE(run_atelier({"release", steps, "--out", out.string(), "--earlier", "none"}).exit_status == 0);
+    whole = files_below(out);
+    INFO(steps);
+    CHECK(dead_ends(whole) == std::vector<std::string>{});
+
+    const Finished help = run_process({.arguments = {(out / "atelier").string(), "help"}, .folder = out});
+    REQUIRE(help.ok());
+    CHECK(commands_in(help.output).contains("check"));
+    for (const std::string& command : commands_in(help.output)) {
+      INFO(command);
+      CHECK(is_command_of_release(command));
+    }
+    for (const char* left_out : {"solutions", "authors"}) CHECK_FALSE(mentions(help.output, {left_out}));
+  }
+  // The walk finds what leads nowhere.
+  for (const char* text : {"[docs](docs/platforms.md)", "[home](../README.md#top)", "./atelier audit 01",
+                           "./atelier chekc", "`given/x.cpp`"}) {
+    INFO(text);
+    whole["README.md"].bytes = text;
+    CHECK(dead_ends(whole).size() == 1);
   }
 }
 
@@ -115,7 +208,7 @@ TEST_CASE("a release that cannot be made leaves nothing behind", "[release]") {
       {"a folder that is not empty", {"release", "00", "--out", full.string()}, "not empty"},
       {"a file", {"release", "00", "--out", (full / "mine.txt").string()}, "is a file"},
       {"below a file", {"release", "00", "--out", (full / "mine.txt" / "out").string()}, "mine.txt"},
-      {"no earlier step", {"release", "all", "--out", out, "--earlier", "source"}, "use no other"},
+      {"no earlier step", {"release", "all", "--out", out, "--earlier", "source"}, "use no step that is not released"},
       {"an unknown step", {"release", "99", "--out", out}, "99"},
       {"nowhere to go", {"release", "00"}, "--out"},
       {"an unknown choice", {"release", "02", "--out", out, "--earlier", "mine"}, "--earlier"},
@@ -171,5 +264,37 @@ TEST_CASE("a release works without the repository", "[release-builds]") {
   CHECK(launch({"submit", "00"}).exit_status == 0);
   CHECK(fs::exists(out / "out" / "submit" / "00-hello.zip"));
   CHECK(launch({"list"}).exit_status == 0);
-  CHECK(mentions(launch({"test"}).output, {"a release has no tests"}));
+
+  for (const char* command : for_whole_project) {
+    const Finished refused = launch({command});
+    INFO(refused.output);
+    CHECK(refused.exit_status == 2);
+    CHECK(mentions(refused.output, {command, "a release has no tests and no solutions to read", "./atelier help"}));
+  }
+
+  // Right files of 02 beside an untouched 01: its compiled solution stands in.
+  const fs::path own = out / "steps" / "02-blinn-phong";
+  for (const char* file : {"blinn_phong.cpp", "blinn_phong.glsl", "choices.txt"})
+    fs::copy_file(folders().solutions() / "02-blinn-phong" / file, own / file, fs::copy_options::overwrite_existing);
+  const Finished right = launch({"check", "02"});
+  INFO(right.output);
+  CHECK(right.exit_status == 0);
+  CHECK(mentions(right.output, {"with 01-transforms: solution"}));
+
+  // Nobody can hand it in.
+  const fs::path sealed = out / "solutions" / "01-transforms" / "transforms.glsl",
+                 mine = out / "steps" / "01-transforms";
+  fs::copy_file(sealed, mine / "transforms.glsl", fs::copy_options::overwrite_existing);
+  CHECK(mentions(launch({"check", "01"}).output, {"transforms.glsl", "sealed part of a solution"}));
+  CHECK(launch({"reset", "01/transforms.glsl", "--force"}).exit_status == 0);
+
+  // Without it the verdict begins with what to do first.
+  fs::remove_all(out / "solutions");
+  const Finished alone = launch({"check", "02"});
+  INFO(alone.output);
+  CHECK(alone.exit_status == 1);
+  CHECK(alone.output.starts_with("02-blinn-phong uses earlier files of yours that do not pass in full: 01-transforms"));
+  CHECK(mentions(alone.output, {"(untouched)", "./atelier check 01", "with 01-transforms: yours, untouched"}));
+  CHECK(mentions(launch({"check", "02", "--earlier", "solution"}).output,
+                 {"error: --earlier solution", "01-transforms"}));
 }

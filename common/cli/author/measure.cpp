@@ -34,7 +34,7 @@ Program program_of(const ProjectFolders& folders, const std::vector<CourseStep>&
   Program program{.file = folders.program(step.name), .context = options.context};
   program.shader_cache =
       folders.build / "cache" / "measure-shaders";  // separate from the judge's cache: these shaders are optimised
-  if (!options.mine && is_there(folders, step.name, Owner::solution)) {
+  if (!options.mine && is_solution_readable(folders, step)) {
     program.implementations = search_path(folders, step, code_of(folders, Owner::solution), {});
     return program;
   }
@@ -158,7 +158,7 @@ int run_measure(const MeasureOptions& options) {
   const fs::path file = folders.measure_file(step.name);
   if (!fs::exists(file)) throw Error(fmt::format("{}: is missing, so there is nothing to measure", file.string()));
   Plan plan = measure::read_plan(file);
-  if (options.handout && !is_there(folders, step.name, Owner::solution))
+  if (options.handout && !is_solution_readable(folders, step))
     throw Error(fmt::format("--handout: its plots show the solution, and {} is not here",
                             (folders.solutions() / step.name).string()));
   const Program program = program_of(folders, course, step, options);
@@ -179,7 +179,7 @@ int run_measure(const MeasureOptions& options) {
   else
     print_results(measured, out);
   // A student's own files and single settings need no further checks.
-  const bool of_author = options.setting.empty() && !options.mine && is_there(folders, step.name, Owner::solution);
+  const bool of_author = options.setting.empty() && !options.mine && is_solution_readable(folders, step);
   const Problems problems = of_author ? problems_of_measured(folders, measured) : Problems();
   if (!options.json) fmt::print("{}", in_lines(problems));
   return all_met(all_findings(measured)) && problems.empty() ? exit_ok : exit_failed;

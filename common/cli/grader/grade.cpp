@@ -66,6 +66,17 @@ std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector
   return steps;
 }
 
+/// Earlier steps come from the solution, which a release may lack.
+void require_earlier_solutions(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
+  for (const CourseStep& step : steps)
+    for (const std::string& earlier : step.uses)
+      if (!is_there(folders, earlier, Owner::solution))
+        throw Error(
+            fmt::format("grade: {} is graded with the solution of {}, and this copy of the course has none "
+                        "that runs here",
+                        step.name, earlier));
+}
+
 StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
                       const grade::StepJudge& judge, const StopOnSignal& stop, Progress& progress) {
   const grade::Submission& submission = grading.submission;
@@ -124,6 +135,7 @@ int run_grade(const GradeOptions& options) {
   if (const std::string& driver = environment.at("driver"); driver.starts_with(grade::no_driver))
     throw Error(
         fmt::format("this machine cannot draw, so nothing is graded: {}", driver.substr(grade::no_driver.size())));
+  require_earlier_solutions(grading.folders, steps);
   prepare_results_folder(out);
 
   // Read all references first: if one is broken, nothing is graded.

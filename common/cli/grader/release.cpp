@@ -55,7 +55,7 @@ void write_folder(const fs::path& folder, const grade::PackedFiles& files) {
   }
 }
 
-void print_summary(const Release& release, const std::vector<CourseStep>& steps, const fs::path& out) {
+void print_summary(const Release& release, const std::vector<CourseStep>& steps, Earlier earlier, const fs::path& out) {
   std::size_t bytes = 0;
   for (const auto& [path, file] : release.files) bytes += file.bytes.size();
   std::vector<std::string> names;
@@ -64,6 +64,9 @@ void print_summary(const Release& release, const std::vector<CourseStep>& steps,
   fmt::print("  steps     {}{}\n", join(names),
              release.earlier.empty() ? "" : fmt::format("; and {}, which they use", join(release.earlier)));
   fmt::print("  cases     {}, worth {:g} points\n", release.cases, release.points);
+  if (!release.carried.empty())
+    fmt::print("  stand-in  {}: their solutions, {}, for students who have not passed them\n", join(release.carried),
+               earlier == Earlier::source ? "as text" : "compiled (--earlier none leaves them out)");
   fmt::print("  left out  {} files of solutions, {} patches, {} hidden cases worth {:g} points\n", release.solutions,
              release.patches, release.hidden, release.hidden_points);
   if (!release.untracked.empty())
@@ -81,13 +84,13 @@ int run_release(const ReleaseOptions& options) {
   if (!zip) refuse_to_overwrite(options.out);
 
   const Release release = make_release(folders, course, steps, earlier);
-  if (earlier != Earlier::none && release.earlier.empty())
-    throw Error(fmt::format("--earlier {}: the steps to release use no other; leave it out", options.earlier));
+  if (earlier == Earlier::source && release.earlier.empty())
+    throw Error("--earlier source: the steps to release use no step that is not released too; leave it out");
   if (zip)
     write_file(options.out, grade::make_zip(release.files));
   else
     write_folder(options.out, release.files);
-  print_summary(release, steps, options.out);
+  print_summary(release, steps, earlier, options.out);
   return exit_ok;
 }
 

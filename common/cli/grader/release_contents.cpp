@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/process.hpp"
+#include "base/sealed.hpp"
 #include "base/sha256.hpp"
 #include "base/strict_json.hpp"
 #include "cli/author/marked_text.hpp"
@@ -46,18 +47,23 @@ bool contains(const std::vector<CourseStep>& steps, const CourseStep& step) {
   return std::any_of(steps.begin(), steps.end(), [&](const CourseStep& s) { return s.name == step.name; });
 }
 
-/// The steps that `steps` use, directly or indirectly, without `steps` themselves. In `course` each step comes after
-/// all that it uses.
-std::vector<CourseStep> earlier_steps(const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps) {
-  std::set<std::string> used;
-  std::vector<CourseStep> earlier;
+/// The steps that `steps` use, directly or indirectly; some of `steps` may be among them. In `course` each step comes
+/// after all that it uses.
+std::vector<CourseStep> used_steps(const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps) {
+  std::set<std::string> names;
+  std::vector<CourseStep> used;
   for (auto step = course.rbegin(); step != course.rend(); ++step) {
-    const bool released = contains(steps, *step);
-    if (!released && !used.contains(step->name)) continue;
-    used.insert(step->uses.begin(), step->uses.end());
-    if (!released) earlier.insert(earlier.begin(), *step);
+    const bool is_used = names.contains(step->name);
+    if (!is_used && !contains(steps, *step)) continue;
+    names.insert(step->uses.begin(), step->uses.end());
+    if (is_used) used.insert(used.begin(), *step);
   }
-  return earlier;
+  return used;
+}
+
+std::vector<CourseStep> without(std::vector<CourseStep> steps, const std::vector<CourseStep>& others) {
+  std::erase_if(steps, [&](const CourseStep& step) { return contains(others, step); });
+  return steps;
 }
 
 int count_files(const fs::path& folder, const std::string& extension = "") {
@@ -71,7 +77,11 @@ int count_files(const fs::path& folder, const std::string& extension = "") {
 class Packer {
  public:
   Packer(const ProjectFolders& folders, const std::vector<CourseStep>& course, const std::vector<CourseStep>& steps)
-      : folders_(folders), steps_(steps), earlier_(earlier_steps(course, steps)), known_(files_of_git(folders.root)) {
+      : folders_(folders),
+        steps_(steps),
+        used_(used_steps(course, steps)),
+        earlier_(without(used_, steps)),
+        known_(files_of_git(folders.root)) {
     with_earlier_ = earlier_;
     with_earlier_.insert(with_earlier_.end(), steps.begin(), steps.end());
   }
@@ -85,13 +95,12 @@ class Packer {
     }
     for (const CourseStep& step : earlier == Earlier::none ? with_earlier_ : steps_) pack_skeletons(step);
     for (const CourseStep& step : steps_) pack_cases(step);
-    std::vector<CourseStep> secret = course;
-    for (const CourseStep& step : earlier_) {
-      release_.earlier.push_back(step.name);
-      if (earlier == Earlier::none) continue;
-      earlier == Earlier::source ? pack_solution(step) : pack_library(step);
-      std::erase_if(secret, [&](const CourseStep& s) { return s.name == step.name; });
-    }
+    for (const CourseStep& step : earlier_) release_.earlier.push_back(step.name);
+    if (earlier == Earlier::source)
+      for (const CourseStep& step : earlier_) pack_solution(step);
+    if (earlier == Earlier::library)
+      for (const CourseStep& step : used_) pack_library(step);
+    const std::vector<CourseStep> secret = earlier == Earlier::source ? without(course, earlier_) : course;
     count_left_out(course, secret);
     refuse_leaks(distinctive_lines(folders_, course, secret));
     pack_manifest();
@@ -143,13 +152,17 @@ class Packer {
     put(".vscode/tasks.json", file.dump(2) + "\n");
   }
 
-  /// The contract, the README and the given code.
+  /// The contract, the README and the given code, of which second answers are sealed.
   void pack_given(const CourseStep& step) {
     const std::string folder = "steps/" + step.name;
     for (const auto& entry : fs::directory_iterator(folders_.root / folder))
       if (const fs::path& path = entry.path(); path.extension() == ".hpp" || path.filename() == "README.md")
         take_known(folder + "/" + path.filename().string());
     take_below(folder + "/given", {".cpp", ".hpp", ".glsl", ".cmake"});
+    for (const auto& entry : fs::directory_iterator(folders_.root / folder / "given"))
+      if (is_second_answer(entry.path()))
+        if (const auto packed = release_.files.extract(fs::relative(entry.path(), folders_.root).generic_string()))
+          put(packed.key() + ".sealed", seal(packed.mapped().bytes));
   }
 
   void pack_skeletons(const CourseStep& step) {
@@ -219,22 +232,29 @@ class Packer {
   }
 
   void pack_solution(const CourseStep& step) {
-    for (const std::string& file : step.files) pack_finished("solutions/" + step.name + "/" + file);
+    for (const std::string& file : step.files)
+      put(solution_path(step, file), finished_text_of(solution_path(step, file)));
+    release_.carried.push_back(step.name);
+  }
+
+  /// What later steps need, and nothing readable: C++ as a library, shaders sealed; later steps read no choices.
+  void pack_library(const CourseStep& step) {
+    for (const std::string& file : step.files) {
+      if (file.ends_with(".cpp"))
+        put(solution_path(step, "libstep.so"), stripped_library(step));
+      else if (file.ends_with(".glsl"))
+        put(solution_path(step, file), seal(finished_text_of(solution_path(step, file))));
+    }
+    release_.carried.push_back(step.name);
+  }
+
+  static std::string solution_path(const CourseStep& step, const std::string& file) {
+    return "solutions/" + step.name + "/" + file;
   }
 
   /// A file of a solution without the marks for making its skeleton.
-  void pack_finished(const std::string& path) { put(path, finished_text(read_file(folders_.root / path), path)); }
-
-  void pack_library(const CourseStep& step) {
-    const std::string folder = "solutions/" + step.name + "/";
-    bool compiled = false;
-    for (const std::string& file : step.files) {
-      if (file.ends_with(".cpp"))
-        compiled = true;
-      else
-        pack_finished(folder + file);
-    }
-    if (compiled) put(folder + "libstep.so", stripped_library(step));
+  std::string finished_text_of(const std::string& path) const {
+    return finished_text(read_file(folders_.root / path), path);
   }
 
   /// Without debug information, which has file names of this machine and refers to source lines.
@@ -272,7 +292,7 @@ class Packer {
   }
 
   const ProjectFolders& folders_;
-  std::vector<CourseStep> steps_, earlier_, with_earlier_;
+  std::vector<CourseStep> steps_, used_, earlier_, with_earlier_;  ///< earlier_: used, and not released themselves
   std::optional<std::set<std::string>> known_;
   Release release_;
 };

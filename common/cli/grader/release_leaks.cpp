@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 void append_files_below(const fs::path& folder, std::string& text) {
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && entry.path().extension() != ".png") text += read_file(entry.path()) + "\n";
+    if (entry.is_regular_file() && entry.path().extension() != ".png" && !is_second_answer(entry.path()))
+      text += read_file(entry.path()) + "\n";
 }
 
 /// The files of a step that all students get: the contract and the given code.
@@ -23,6 +24,13 @@ void append_given_files(const fs::path& folder, std::string& text) {
 }
 
 }  // namespace
+
+bool is_second_answer(const fs::path& given) {
+  const std::string name = given.filename().string();
+  return given.parent_path().filename() == "given" &&
+         (name.ends_with("truth.cpp") ||
+          (name.ends_with(".cpp") && (name.starts_with("exact_") || name.starts_with("fast_"))));
+}
 
 std::set<std::string> distinctive_lines(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                                         const std::vector<CourseStep>& steps) {

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "cli/search_path.hpp"
 #include "cli/student/handout.hpp"
 
 namespace atelier {
@@ -17,7 +17,7 @@ std::string after_pass(const ProjectFolders& folders, const std::vector<Standing
   std::string text = fmt::format("\n{} has passed in full.\n", step);
   if (const std::string reading = further_reading_of(folders, found->step); !reading.empty())
     text += fmt::format("  read on     {}\n", reading);
-  if (std::filesystem::is_directory(folders.solutions() / step))
+  if (is_solution_readable(folders, found->step))
     text +=
         fmt::format("  compare     ./atelier compare {}: your functions and the solution's\n", found->step.number());
   if (const Standing* next = next_step(standings))

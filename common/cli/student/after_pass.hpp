@@ -10,7 +10,7 @@
 namespace atelier {
 
 /// A few lines for a step that has just passed in full: further reading in the handout, how to compare with the
-/// solution (if solutions/ exists), and the next step. Empty for a step that does not exist or has not passed.
+/// solution (if it can be read here), and the next step. Empty for a step that does not exist or has not passed.
 std::string after_pass(const ProjectFolders& folders, const std::vector<Standing>& standings, const std::string& step);
 
 }  // namespace atelier

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/file_url.hpp"
 #include "cli/commands.hpp"
+#include "cli/search_path.hpp"
 #include "cli/stop.hpp"
 #include "cli/student/after_pass.hpp"
 #include "cli/student/own_check.hpp"
@@ -32,10 +33,13 @@ judge::TerminalStyle style_of(const CheckOptions& options, const fs::path& page)
   return style;
 }
 
-/// A note if a picture may have failed because of the driver: the stored references were drawn by llvmpipe.
-std::string on_another_driver(const judge::SubmissionResult& result, bool live) {
+/// A note if a picture may have failed because of the driver, and the solution is here to draw with this one: the
+/// stored references were drawn by llvmpipe.
+std::string on_another_driver(const judge::SubmissionResult& result, const OwnCheck& check, bool live) {
   const auto driver = result.environment.find("driver");
-  if (live || driver == result.environment.end() || driver->second.find("llvmpipe") != std::string::npos) return {};
+  if (live || !is_there(check.folders(), check.step().name, Owner::solution) || driver == result.environment.end() ||
+      driver->second.find("llvmpipe") != std::string::npos)
+    return {};
   return fmt::format(
       "Your driver ({}) is not the one that drew the references: if only edges differ, use --references live to "
       "compare with the solution's pictures on yours.\n",
@@ -91,7 +95,7 @@ int run_check(const CheckOptions& options) {
     if (!options.json) fmt::print("Report: {}\n", judge::report_link(page.string(), result, style));
   }
   const bool passed = grade::all_passed(result.steps.front());
-  if (!passed && !options.json) fmt::print("{}", on_another_driver(result, options.live));
+  if (!passed && !options.json) fmt::print("{}", on_another_driver(result, check, options.live));
   if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, passed));
   return passed ? exit_ok : exit_failed;
 }

@@ -11,6 +11,7 @@
 #include "cli/author/marked_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
+#include "cli/search_path.hpp"
 #include "cli/student/function_text.hpp"
 #include "cli/student/progress_record.hpp"
 #include "judge/compare/judged_case.hpp"
@@ -60,8 +61,8 @@ int run_compare(const CompareOptions& options) {
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
   const CourseStep& step = resolve_step(course, options.step);
-  if (!fs::is_directory(folders.solutions() / step.name))
-    throw Error(fmt::format("compare: solutions/{} is not in this copy of the course", step.name));
+  if (!is_solution_readable(folders, step))
+    throw Error(fmt::format("compare: this copy of the course has no solution of {} to read", step.name));
   const ProgressRecord record = read_progress(folders.progress());
   const auto progress = record.find(step.name);
   const auto functions = functions_of(judge::read_case_file(folders.case_file(step.name)),

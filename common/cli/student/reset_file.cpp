@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
+#include "base/sealed.hpp"
 #include "cli/author/marked_text.hpp"
 
 namespace atelier {
@@ -60,7 +61,7 @@ std::string pristine_text(const ProjectFolders& folders, const StudentFile& file
   for (const fs::path& given : {folders.given(), folders.skeletons()})
     if (const fs::path path = given / file.below_steps(); fs::is_regular_file(path)) return read_file(path);
   const fs::path solution = folders.solutions() / file.below_steps();
-  if (fs::is_regular_file(solution))
+  if (fs::is_regular_file(solution) && !is_sealed(read_file(solution)))
     return cut_skeleton(read_file(solution), "solutions/" + file.below_steps().string(), file.step.name);
   throw Error(
       fmt::format("{0}: its skeleton is not here (looked for .given/{0}, skeletons/{0} and solutions/{0}); copy the "

@@ -4,7 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <fstream>
 #include <system_error>
+
+#include "base/sealed.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -41,7 +44,9 @@ std::string why_unusable(const fs::path& path) {
   if (!error && size > source_limit) return is_too_large();
   if (error || ::access(path.c_str(), R_OK) != 0)
     return "cannot be read: " + (error ? error.message() : std::generic_category().message(errno));
-  return {};
+  std::string begin(seal_length, ' ');
+  std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
+  return is_sealed(begin) ? is_of_a_solution : std::string();
 }
 
 std::string in_words(const UnusableFiles& files) {

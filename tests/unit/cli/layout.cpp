@@ -1,6 +1,7 @@
 #include "cli/layout.hpp"
 
 #include "base/file.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 #include "cli/author/skeleton_record.hpp"
 #include "cli/search_path.hpp"
@@ -114,9 +115,40 @@ TEST_CASE("the search path starts with the judged code, limited to its own step"
                  {"a=b:c", "':'"}));
 
   std::filesystem::remove_all(root.path() / "solutions");
-  CHECK(choose_owners(folders, two, step, "solution").at("01-move") == Owner::mine);  // the solution is not here
+  CHECK(choose_owners(folders, two, step, "").at("01-move") == Owner::mine);  // the solution is not here
+  CHECK(mentions(error_of([&] { choose_owners(folders, two, step, "solution"); }),
+                 {"--earlier solution", "no solution of 01-move", "--earlier mine"}));
   CHECK(in_words(solution, "02-light", "yours") ==
         std::map<std::string, std::string>{{"01-move", "solution"}, {"02-light", "yours"}});
+}
+
+TEST_CASE("a compiled solution stands in where it can be loaded, and cannot be read") {
+  const TemporaryFolder root;
+  const ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
+  const CourseStep step{.name = "02-light", .uses = {"01-move"}};
+  const std::vector<CourseStep> two = {{.name = "01-move", .files = {"move.cpp", "move.glsl"}}, step};
+  const auto owner = [&] { return choose_owners(folders, two, step, "").at("01-move"); };
+  const auto library = root.path() / "solutions/01-move/libstep.so";
+  const std::string program = read_file("/proc/self/exe");
+
+  write_file(root.path() / "solutions/01-move/move.glsl", seal("float move;"));
+  write_file(library, program);
+  CHECK(owner() == Owner::solution);
+  CHECK_FALSE(is_solution_readable(folders, two[0]));
+
+  std::string foreign = program;
+  foreign[18] = char(foreign[18] + 1);  // e_machine: another processor
+  write_file(library, foreign);
+  CHECK(owner() == Owner::mine);
+  write_file(library, std::string_view("short"));
+  CHECK(owner() == Owner::mine);
+  CHECK(mentions(error_of([&] { choose_owners(folders, two, step, "solution"); }), {"no solution of 01-move"}));
+
+  std::filesystem::remove(library);
+  write_file(root.path() / "solutions/01-move/move.cpp", std::string_view("int move;"));
+  CHECK_FALSE(is_solution_readable(folders, two[0]));  // its shader is sealed
+  write_file(root.path() / "solutions/01-move/move.glsl", std::string_view("float move;"));
+  CHECK(is_solution_readable(folders, two[0]));
 }
 
 TEST_CASE("a student's own earlier step is used if its current files have passed") {

@@ -2,6 +2,7 @@
 #include "cli/student/own_files.hpp"
 
 #include "base/file.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 
 using namespace atelier;
@@ -49,4 +50,6 @@ TEST_CASE("a file that grade would refuse is not submitted") {
   fs::remove(home.mine("move.glsl"));
   home.write("steps/01-move/move.glsl", std::string(judge::source_limit + 1, 'x'));
   CHECK(mentions(error(), {"move.glsl", "1000000"}));
+  home.write("steps/01-move/move.glsl", seal("float b;\n"));
+  CHECK(mentions(error(), {"move.glsl", "sealed part of a solution"}));
 }

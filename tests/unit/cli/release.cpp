@@ -3,6 +3,7 @@
 
 #include "base/file.hpp"
 #include "base/process.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 #include "cli/grader/release_leaks.hpp"
 #include "cli/grader/visible_cases.hpp"
@@ -78,6 +79,9 @@ struct Project {
                              "steps/01-move/move.hpp",
                              "steps/01-move/given/main.cpp",
                              "steps/01-move/given/main.cpp.orig",
+                             "steps/01-move/given/truth.hpp",
+                             "steps/01-move/given/truth.cpp",
+                             "steps/01-move/given/exact_move.cpp",
                              "steps/02-light/given/main.cpp"})
       write(name, name);
     write(".vscode/tasks.json", R"({"tasks": [{"label": "check"}, {"label": "test"}]})");
@@ -135,8 +139,14 @@ const std::set<std::string> always = {"CMakeLists.txt",
                                       "cmake/steps.cmake",
                                       "common/base/file.hpp",
                                       "common/base/CMakeLists.txt"};
-const std::set<std::string> of_move = {"steps/01-move/given/main.cpp", "steps/01-move/move.hpp", "handouts/01-move.md",
-                                       "handouts/pictures/01-a.png", "handouts/plots/01-error.svg"};
+const std::set<std::string> of_move = {"steps/01-move/given/main.cpp",
+                                       "steps/01-move/given/truth.hpp",
+                                       "steps/01-move/given/truth.cpp.sealed",
+                                       "steps/01-move/given/exact_move.cpp.sealed",
+                                       "steps/01-move/move.hpp",
+                                       "handouts/01-move.md",
+                                       "handouts/pictures/01-a.png",
+                                       "handouts/plots/01-error.svg"};
 const std::set<std::string> skeletons_of_move = {"skeletons/01-move/move.cpp", "skeletons/01-move/move.glsl"};
 const std::set<std::string> cases_files_of_move = {"tests/cases/01-move/hints.json",
                                                    "tests/cases/01-move/measure.json",
@@ -152,6 +162,8 @@ const std::set<std::string> of_light = {
     "steps/02-light/given/main.cpp",   "handouts/02-light.md",
     "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
     "tests/cases/02-light/cases.json", "tests/cases/02-light/references/lit.values.json"};
+
+const std::set<std::string> stand_in_of_move = {"solutions/01-move/libstep.so", "solutions/01-move/move.glsl"};
 
 std::set<std::string> operator+(std::set<std::string> a, const std::set<std::string>& b) {
   a.insert(b.begin(), b.end());
@@ -210,12 +222,26 @@ TEST_CASE("a release contains exactly its list") {
   SECTION("with the earlier solution compiled") {
     project.write("build/implementations/solutions/01-move/libstep.so", read_file("/proc/self/exe"));
     const Release release = project.release({light}, Earlier::library);
+    CHECK(names_of(release) == always + of_move + of_light + stand_in_of_move);
+    CHECK(release.carried == std::vector<std::string>{"01-move"});
+    const std::string& library = release.files.at("solutions/01-move/libstep.so").bytes;
+    CHECK(
+        library.starts_with("\x7f"
+                            "ELF"));
+    CHECK(library.find(".debug_") == library.npos);
+    const std::string& shader = release.files.at("solutions/01-move/move.glsl").bytes;
+    CHECK(is_sealed(shader));
+    CHECK(unsealed(shader) == "vec3 all_given();\n");
+  }
+  SECTION("with compiled solutions of steps that are released too") {
+    project.write("build/implementations/solutions/01-move/libstep.so", read_file("/proc/self/exe"));
+    const Release release = project.release(course, Earlier::library);
     CHECK(names_of(release) ==
-          always + of_move + of_light +
-              std::set<std::string>{"solutions/01-move/libstep.so", "solutions/01-move/move.glsl"});
-    CHECK(release.files.at("solutions/01-move/libstep.so")
-              .bytes.starts_with("\x7f"
-                                 "ELF"));
+          always + of_move + skeletons_of_move + cases_files_of_move + of_light + stand_in_of_move);
+    CHECK(release.earlier.empty());
+    CHECK(release.carried == std::vector<std::string>{"01-move"});
+    CHECK(release.solutions == 3);
+    CHECK_FALSE(anywhere(release, shader_secret));
   }
 }
 
@@ -255,6 +281,14 @@ TEST_CASE("a solution line in any file stops a release") {
   SECTION("unless it is in the given code") {
     project.write("common/given.hpp", secret);
     CHECK(error_of([&] { project.release({move}); }).empty());
+  }
+  SECTION("also if it is in a second answer, which is sealed") {
+    project.write("steps/01-move/given/truth.cpp", secret);
+    const Release release = project.release({move});
+    CHECK(unsealed(release.files.at("steps/01-move/given/truth.cpp.sealed").bytes) == secret);
+    CHECK_FALSE(anywhere(release, secret));
+    project.write("cmake/steps.cmake", secret);
+    CHECK(mentions(error_of([&] { project.release({move}); }), {"cmake/steps.cmake", secret}));
   }
   SECTION("unless it is too short") {
     project.write("solutions/01-move/move.cpp", marked("return false;"));

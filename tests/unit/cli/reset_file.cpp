@@ -1,6 +1,7 @@
 #include "cli/student/reset_file.hpp"
 
 #include "base/file.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 
 using namespace atelier;
@@ -51,6 +52,8 @@ TEST_CASE("a reset keeps the old file under an unused name") {
   const StudentFile file{course_of_files[0], "move.cpp"};
   const auto path = root.path() / "steps/01-move/move.cpp";
   const auto kept = [&](const char* behind) { return std::filesystem::path(path.string() + behind); };
+  CHECK(mentions(error_of([&] { reset_file(folders, file); }), {"01-move/move.cpp", "skeletons/", "archive"}));
+  write_file(root.path() / "solutions/01-move/move.cpp", seal("a + b;\n"));  // no skeleton can be cut from it
   CHECK(mentions(error_of([&] { reset_file(folders, file); }), {"01-move/move.cpp", "skeletons/", "archive"}));
 
   write_file(root.path() / "solutions/01-move/move.cpp",

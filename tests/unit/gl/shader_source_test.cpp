@@ -2,6 +2,7 @@
 #include <map>
 
 #include "base/file.hpp"
+#include "base/sealed.hpp"
 #include "catch.hpp"
 #include "gl/shader.hpp"
 
@@ -72,6 +73,13 @@ TEST_CASE("A text that is not a file can include files") {
                                                    "#include \"b.glsl\"\nx", "surface shader", {});
   CHECK(source.text == head + "b\nx\n");
   CHECK(origins(source) == "-:1 b.glsl:1 surface shader:2");
+}
+
+TEST_CASE("A sealed file is included like its text") {
+  const FileMap plain = {{"main.glsl", "#include \"a.glsl\"\nlast\n"}, {"a.glsl", "one\ntwo\n"}};
+  FileMap sealed = plain;
+  sealed["a.glsl"] = seal(plain.at("a.glsl"));
+  CHECK(Files(sealed).assemble().text == Files(plain).assemble().text);
 }
 
 TEST_CASE("The defines of a text precede its includes") {
