@@ -228,20 +228,22 @@ TEST_CASE("a release contains exactly its list") {
     CHECK(
         library.starts_with("\x7f"
                             "ELF"));
-    CHECK(library.find(".debug_") == library.npos);
+    CHECK(library.size() < read_file("/proc/self/exe").size());  // without debug information
     const std::string& shader = release.files.at("solutions/01-move/move.glsl").bytes;
     CHECK(is_sealed(shader));
     CHECK(unsealed(shader) == "vec3 all_given();\n");
   }
   SECTION("with compiled solutions of steps that are released too") {
     project.write("build/implementations/solutions/01-move/libstep.so", read_file("/proc/self/exe"));
-    const Release release = project.release(course, Earlier::library);
+    Release release = project.release(course, Earlier::library);
     CHECK(names_of(release) ==
           always + of_move + skeletons_of_move + cases_files_of_move + of_light + stand_in_of_move);
     CHECK(release.earlier.empty());
     CHECK(release.carried == std::vector<std::string>{"01-move"});
     CHECK(release.solutions == 3);
+    release.files.erase("solutions/01-move/libstep.so");  // this program, which has the secret's text
     CHECK_FALSE(anywhere(release, shader_secret));
+    CHECK_FALSE(anywhere(release, secret));
   }
 }
 
