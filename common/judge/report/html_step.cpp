@@ -29,6 +29,7 @@ class StepPage {
     std::string html = fmt::format(
         "<section id=\"{}\">\n<h2><span>{}</span> <span class=\"soft mono\">{}</span>{}</h2>\n", step_anchor(step_),
         escape_markup(step_.title), escape_markup(step_.step), steps_ == StepsInReport::several ? sums_html() : "");
+    if (!step_.caveat.empty()) html += fmt::format("<p><strong>{}</strong></p>\n", escape_markup(step_.caveat));
     html += origin_html();
     html += text_block("Compiler output", step_.build_log);
     for (std::size_t i = 0; i < step_.causes.size(); ++i) html += cause_html(i);

@@ -181,6 +181,15 @@ TEST_CASE("the page begins with the first cause, and passed cases come last") {
   CHECK(occurrences(html, " open>") == 1);  // all but the first cause is folded
 }
 
+TEST_CASE("what must be known before the points is said before all else of a step") {
+  SubmissionResult result = test::sample();
+  result.steps[1].caveat = "It uses 01-transforms (untouched).";
+  const std::string page = html_report(result);
+  CHECK(out_of_order(page, {"<h2><span>" + result.steps[1].title, "<strong>It uses 01-transforms (untouched).</strong>",
+                            "<details"})
+            .empty());
+}
+
 TEST_CASE("only the pictures seen first are decoded at once") {
   const std::string html = html_report(caused_sample());
   const std::string first = between(html, "id=\"case-lamps\"", "<dl>");
