@@ -1,4 +1,6 @@
 // The launcher on a bare machine: `doctor` reports what is missing, and installs nothing.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "base/file.hpp"
@@ -171,6 +173,33 @@ TEST_CASE("ATELIER_WORK names a folder of one's own, in which steps is made", "[
   CHECK(fs::is_directory(folder.path() / "steps"));
   CHECK(mentions(list(folder.path() / "none").output, {"ATELIER_WORK", "there is no such folder"}));
   CHECK_FALSE(fs::exists(folder.path() / "none"));
+}
+
+TEST_CASE("without a terminal progress is told at every tenth, at least every 30 seconds, and not at first",
+          "[launcher]") {
+  struct Row {
+    const char *name, *printed;  ///< by the program, as a command of the shell
+    int step;                    ///< seconds from one line of it to the next
+    std::string told;
+  };
+  const Row rows[] = {
+      {"fast", "seq -f '[%g/50] x' 0 50", 0, ""},
+      {"nothing to do", "echo 'ninja: no work to do.'", 3, ""},
+      {"slow", "seq -f '[%g/50] x' 0 12", 6, "built 0 of 50 (0 %)\nbuilt 5 of 50 (10 %)\nbuilt 10 of 50 (20 %)\n"},
+      {"slower", "seq -f '[%g/1000] x' 1 6", 11, "built 1 of 1000 (0 %)\nbuilt 4 of 1000 (0 %)\n"},
+      {"another total", "echo '[1/2] x'; seq -f '[%g/50] x' 0 6", 5, "built 1 of 2 (50 %)\nbuilt 5 of 50 (10 %)\n"},
+      {"without numbers", "seq -f 'line %g' 0 5", 11, "waiting, for 11 s\nwaiting, for 44 s\n"},
+  };
+  for (const Row& row : rows) {
+    INFO(row.name);
+    const std::string script = fmt::format(
+        "source '{}'; time=0; clock() {{ now=$time; time=$((time + {})); }}; "
+        "words='' terminal=false doing=waiting; {{ {}; }} | show_progress",
+        (folders().root / "atelier").string(), row.step, row.printed);
+    const Finished finished = run_process({.arguments = {"bash", "-c", script}});
+    CHECK(finished.ok());
+    CHECK(finished.output == row.told);
+  }
 }
 
 TEST_CASE("doctor with a build reports contexts and steps", "[launcher]") {
