@@ -12,9 +12,11 @@ namespace atelier {
 namespace {
 
 template <class Function>
-bool resolve_into(Function& function, Gl::Resolver resolve, const char* name, GlMeter& meter) {
+bool resolve_into(Function& function, Gl::Resolver resolve, const char* name, GlMeter& meter, GlCallErrors& errors) {
   function.call = reinterpret_cast<decltype(function.call)>(resolve(name));
   function.meter = &meter;
+  function.errors = &errors;
+  function.name = name + 2;  // without "gl"
   return function.call != nullptr;
 }
 
@@ -41,10 +43,10 @@ const char* error_name(GLenum error) {
 
 }  // namespace
 
-Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
-#define ATELIER_GL_LOAD(type, name)                      \
-  if (!resolve_into(name, resolve, "gl" #name, *meter_)) \
-    throw Error("this OpenGL context lacks gl" #name     \
+Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)), errors_(std::make_unique<GlCallErrors>(*this)) {
+#define ATELIER_GL_LOAD(type, name)                                \
+  if (!resolve_into(name, resolve, "gl" #name, *meter_, *errors_)) \
+    throw Error("this OpenGL context lacks gl" #name               \
                 ", and 3.3 core is needed: update the graphics driver, or draw with --context osmesa or egl");
   ATELIER_GL_FUNCTIONS(ATELIER_GL_LOAD)
 #undef ATELIER_GL_LOAD
@@ -60,14 +62,15 @@ Gl::Gl(Resolver resolve) : meter_(std::make_unique<GlMeter>(*this)) {
 
   // Check version or extension first: some resolvers return an address for any name.
   if (version_ >= 45 || has_extension("GL_ARB_clip_control"))
-    resolve_into(ClipControl, resolve, "glClipControl", *meter_);
+    resolve_into(ClipControl, resolve, "glClipControl", *meter_, *errors_);
   if (version_ >= 43 || has_extension("GL_KHR_debug")) {
-#define ATELIER_GL_LOAD(type, name) resolve_into(name, resolve, "gl" #name, *meter_);
+#define ATELIER_GL_LOAD(type, name) resolve_into(name, resolve, "gl" #name, *meter_, *errors_);
     ATELIER_GL_DEBUG_FUNCTIONS(ATELIER_GL_LOAD)
 #undef ATELIER_GL_LOAD
     GetIntegerv(GL_MAX_LABEL_LENGTH, &debug_limits_.label);
     GetIntegerv(GL_MAX_DEBUG_MESSAGE_LENGTH, &debug_limits_.message);
     GetIntegerv(GL_MAX_DEBUG_GROUP_STACK_DEPTH, &debug_limits_.group_depth);
+    errors_->listen();
   }
 }
 
@@ -117,7 +120,10 @@ void check_gl_error(const Gl& gl, const char* doing) {
     if (error == GL_NO_ERROR) break;
     names += fmt::format("{}{} (0x{:04x})", names.empty() ? "" : ", ", error_name(error), error);
   }
-  if (!names.empty()) throw Error(fmt::format("OpenGL reports {} while {}", names, doing));
+  // Taken also without a flag: then someone has read the flag of this call, and knows.
+  const std::string call = gl.call_errors().take();
+  if (names.empty()) return;
+  throw Error(fmt::format("OpenGL reports {} while {}{}{}", names, doing, call.empty() ? "" : ": ", call));
 }
 
 std::int64_t texel_bytes(GLenum internal_format) {

@@ -10,8 +10,10 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "gl/call_errors.hpp"
 #include "gl/counts.hpp"
 
 namespace atelier {
@@ -143,11 +145,14 @@ class GlMeter;
   X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                 \
   X(PFNGLVIEWPORTPROC, Viewport)
 
-/// Functions of GL 4.3 or KHR_debug, which name objects and parts of a frame (gl/debug.hpp).
-#define ATELIER_GL_DEBUG_FUNCTIONS(X)        \
-  X(PFNGLGETOBJECTLABELPROC, GetObjectLabel) \
-  X(PFNGLOBJECTLABELPROC, ObjectLabel)       \
-  X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)   \
+/// Functions of GL 4.3 or KHR_debug, which name objects and parts of a frame (gl/debug.hpp), and report errors
+/// (gl/call_errors.hpp).
+#define ATELIER_GL_DEBUG_FUNCTIONS(X)                    \
+  X(PFNGLDEBUGMESSAGECALLBACKPROC, DebugMessageCallback) \
+  X(PFNGLDEBUGMESSAGECONTROLPROC, DebugMessageControl)   \
+  X(PFNGLGETOBJECTLABELPROC, GetObjectLabel)             \
+  X(PFNGLOBJECTLABELPROC, ObjectLabel)                   \
+  X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)               \
   X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)
 
 /// The driver's limits for KHR_debug; all 0 without it. A name must have fewer bytes than its limit.
@@ -182,7 +187,8 @@ class Gl {
   int begin_group(std::string_view name);
   void end_group();
 
-  /// One function: calls it, after it has reported the call to the meter if the counts depend on it.
+  /// One function: calls it, after it has reported the call to the meter if the counts depend on it. If the driver
+  /// reports an error meanwhile, the call's name and arguments are kept for check_gl_error.
   template <class Signature>
   class Function;
   template <class Result, class... Parameters>
@@ -190,11 +196,25 @@ class Gl {
    public:
     Result operator()(Parameters... parameters) const {
       if (count) count(*meter, parameters...);
-      return call(parameters...);
+      if constexpr (std::is_void_v<Result>) {
+        call(parameters...);
+        if (errors->reported()) name_error(parameters...);
+      } else {
+        const Result result = call(parameters...);
+        if (errors->reported()) name_error(parameters...);
+        return result;
+      }
     }
     Result (*call)(Parameters...) = nullptr;
     void (*count)(GlMeter&, Parameters...) = nullptr;
     GlMeter* meter = nullptr;
+    GlCallErrors* errors = nullptr;
+    const char* name = nullptr;  ///< without "gl"
+
+   private:
+    [[gnu::cold, gnu::noinline]] void name_error(Parameters... parameters) const {
+      errors->name_call(name, std::vector<GlArgument>{GlArgument(parameters)...});
+    }
   };
 
 #define ATELIER_GL_MEMBER(type, name) Function<type> name;
@@ -207,6 +227,10 @@ class Gl {
   ATELIER_GL_DEBUG_FUNCTIONS(ATELIER_GL_MEMBER)
 #undef ATELIER_GL_MEMBER
 
+  /// Of the calls through this object. check_gl_error takes them.
+  GlCallErrors& call_errors() const {
+    return *errors_;
+  }
   const GlDebugLimits& debug_limits() const {
     return debug_limits_;
   }
@@ -218,11 +242,13 @@ class Gl {
 
  private:
   std::unique_ptr<GlMeter> meter_;
+  std::unique_ptr<GlCallErrors> errors_;
   GlDebugLimits debug_limits_;
   int version_ = 0;
 };
 
-/// If OpenGL's error flags are set, clears them and throws Error with `doing` and their names.
+/// If OpenGL's error flags are set, clears them and throws Error with `doing`, their names and, if the driver reports
+/// which, the first call that failed, with its arguments and the reason (gl/call_errors.hpp).
 void check_gl_error(const Gl& gl, const char* doing);
 
 }  // namespace atelier

@@ -11,7 +11,7 @@
 #include <limits>
 #include <numeric>
 
-#include "judge/compare/gl_enum_name.hpp"
+#include "base/gl_enum_name.hpp"
 
 namespace atelier::judge {
 namespace {
