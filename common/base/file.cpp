@@ -7,19 +7,18 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
+#include "base/system_reason.hpp"
 
 namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string system_reason(int number = errno) {
-  return std::generic_category().message(number);
-}
 
 /// A unique name in the target's folder. Short, so that it does not exceed the file system's limit on names.
 fs::path name_beside(const fs::path& target) {
@@ -127,24 +126,28 @@ std::filesystem::path free_path(const std::filesystem::path& path, const std::st
   return free;
 }
 
-TemporaryFolder::TemporaryFolder(std::string_view prefix) {
+fs::path temporary_parent() {
   std::error_code failed;
-  const fs::path parent = fs::temp_directory_path(failed);
+  fs::path parent = fs::temp_directory_path(failed);
   if (failed)
     throw Error("the temporary folder named by TMPDIR is missing (" + failed.message() + "): set TMPDIR to a folder");
+  return parent;
+}
+
+TemporaryFolder::TemporaryFolder(std::string_view prefix) {
+  const fs::path parent = temporary_parent();
   std::string name = (parent / fmt::format("{}-XXXXXX", prefix)).string();
   if (::mkdtemp(name.data()) == nullptr)
     throw Error(fmt::format("{}: cannot create a temporary folder there: {}", parent.string(), system_reason()));
-  path_ = name;
+  folder_.emplace(name);
 }
 
-TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : path_(std::move(other.path_)) {
-  other.path_.clear();  // a moved-from path may still have its old value
-}
+TemporaryFolder::TemporaryFolder(TemporaryFolder&& other) noexcept : folder_(std::exchange(other.folder_, {})) {}
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  if (!path_.empty()) fs::remove_all(path_, ignored);
+  if (!folder_) return;
+  folder_->remove_contents();
+  std::remove(folder_->path().c_str());  // the empty folder, or the link that is at its place
 }
 
 }  // namespace atelier

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+
+#include "base/held_folder.hpp"
 
 namespace atelier {
 
@@ -29,17 +32,22 @@ inline constexpr std::uintmax_t min_free_space = 1 << 20;  ///< with less free, 
 /// A path that does not exist yet: `path` + `ending`, or if that exists, `path` + `ending` + "-2", "-3" ...
 std::filesystem::path free_path(const std::filesystem::path& path, const std::string& ending);
 
-/// A new empty folder in the system's temporary folder. The destructor removes it with its contents.
+/// Where temporary folders are made. Throws Error if TMPDIR names no folder.
+std::filesystem::path temporary_parent();
+
+/// A new empty folder in the system's temporary folder. The destructor removes it with its contents; if a program has
+/// moved it and put a link in its place, still its own contents, and nothing that the link leads to.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(std::string_view prefix = "atelier");
   ~TemporaryFolder();
   TemporaryFolder(TemporaryFolder&& other) noexcept;
   TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_->path(); }
+  const HeldFolder& held() const { return *folder_; }
 
  private:
-  std::filesystem::path path_;
+  std::optional<HeldFolder> folder_;  ///< none: moved from
 };
 
 }  // namespace atelier

@@ -15,6 +15,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/system_reason.hpp"
 
 extern char** environ;
 
@@ -162,7 +163,7 @@ Pipe make_pipe() {
   if (!failed)
     for (int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
 #endif
-  if (failed) throw Error("cannot create a pipe: " + std::generic_category().message(errno));
+  if (failed) throw Error("cannot create a pipe: " + system_reason());
   return {above_standard_streams(Descriptor(ends[0])), above_standard_streams(Descriptor(ends[1]))};
 }
 
@@ -187,8 +188,7 @@ pid_t launch(const Launch& wanted) {
     if (got == 0) return child;  // exec closed the pipe
     ::waitpid(child, nullptr, 0);
   }
-  throw Error(fmt::format("program '{}' cannot be started: {}", wanted.arguments.front(),
-                          std::generic_category().message(reason)));
+  throw Error(fmt::format("program '{}' cannot be started: {}", wanted.arguments.front(), system_reason(reason)));
 }
 
 int kill_and_wait(pid_t child) {

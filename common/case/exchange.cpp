@@ -1,6 +1,5 @@
 #include "case/exchange.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,13 +9,13 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <optional>
-#include <system_error>
 
+#include "base/descriptor.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/strict_json.hpp"
+#include "base/system_reason.hpp"
 
 namespace atelier {
 namespace {
@@ -35,31 +34,22 @@ struct PixelHeader {
 };
 static_assert(sizeof(PixelHeader) == 16);
 
-std::string system_reason(int code) {
-  return std::generic_category().message(code);
-}
-
-/// A file that an untrusted program may have written. Refuses links (which could point to the judge's own files) and
+/// A file that an untrusted program may have written. Refuses links (which could lead to the judge's own files) and
 /// never blocks on a FIFO.
 class UntrustedFile {
  public:
-  explicit UntrustedFile(const fs::path& path) : name_(printable(path.filename().string())) {
-    descriptor_ = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
-    if (descriptor_ < 0) {
+  UntrustedFile(const HeldFolder& folder, const std::string& name)
+      : name_(printable(name)), descriptor_(folder.open_file(name)) {
+    if (!descriptor_) {
       if (errno == ELOOP) throw Error(name_ + " is a symbolic link, not a regular file");
-      throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
+      throw Error(fmt::format("{}: {}", name_, system_reason()));
     }
     struct stat status {};
-    const bool regular = ::fstat(descriptor_, &status) == 0 && S_ISREG(status.st_mode);
-    if (!regular) {
-      ::close(descriptor_);
+    if (::fstat(descriptor_.get(), &status) != 0 || !S_ISREG(status.st_mode))
       throw Error(name_ + " is a folder, pipe or device, not a regular file");
-    }
+    if (status.st_nlink > 1) throw Error(name_ + " is a hard link to a file that has another name");
     size_ = std::size_t(status.st_size);
   }
-  ~UntrustedFile() { ::close(descriptor_); }
-  UntrustedFile(const UntrustedFile&) = delete;
-  UntrustedFile& operator=(const UntrustedFile&) = delete;
 
   const std::string& name() const { return name_; }
   std::size_t size() const { return size_; }
@@ -67,9 +57,9 @@ class UntrustedFile {
   /// The next `count` bytes. Throws Error if the file ends before.
   void read(void* to, std::size_t count) {
     for (std::size_t done = 0; done < count;) {
-      const ssize_t got = ::read(descriptor_, static_cast<char*>(to) + done, count - done);
+      const ssize_t got = ::read(descriptor_.get(), static_cast<char*>(to) + done, count - done);
       if (got < 0 && errno == EINTR) continue;
-      if (got < 0) throw Error(fmt::format("{}: {}", name_, system_reason(errno)));
+      if (got < 0) throw Error(fmt::format("{}: {}", name_, system_reason()));
       if (got == 0) throw Error(fmt::format("{} became shorter while it was read", name_));
       done += std::size_t(got);
     }
@@ -77,7 +67,7 @@ class UntrustedFile {
 
  private:
   std::string name_;  ///< without its folder, for messages to the student
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   std::size_t size_ = 0;
 };
 
@@ -117,9 +107,9 @@ void write_case_error(const fs::path& file, const std::string& sentence) {
   write_file(file, shorten(printable(first_line), max_sentence) + "\n");
 }
 
-Image read_pixels(const fs::path& path, glm::ivec2 expected) {
+Image read_pixels(const HeldFolder& folder, const std::string& name, glm::ivec2 expected) {
   Image image(expected.x, expected.y);
-  UntrustedFile file(path);
+  UntrustedFile file(folder, name);
   const std::size_t needed = sizeof(PixelHeader) + image.pixels().size_bytes();
   if (file.size() != needed) {
     throw Error(fmt::format("{} has {} bytes; a picture of {} x {} pixels needs {}", file.name(), file.size(),
@@ -136,8 +126,8 @@ Image read_pixels(const fs::path& path, glm::ivec2 expected) {
   return image;
 }
 
-std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
-  UntrustedFile file(path);
+std::vector<Numbers> read_values(const HeldFolder& folder, const std::string& name, std::size_t limit) {
+  UntrustedFile file(folder, name);
   if (file.size() > limit)
     throw Error(fmt::format("{} has {} bytes; at most {} are allowed", file.name(), file.size(), limit));
   std::string text(file.size(), '\0');
@@ -156,9 +146,9 @@ std::vector<Numbers> read_values(const fs::path& path, std::size_t limit) {
   return results;
 }
 
-std::map<std::string, std::int64_t> read_counts(const fs::path& path) {
+std::map<std::string, std::int64_t> read_counts(const HeldFolder& folder, const std::string& file_name) {
   constexpr std::size_t max_bytes = 1 << 16, max_counts = 64;
-  UntrustedFile file(path);
+  UntrustedFile file(folder, file_name);
   if (file.size() > max_bytes)
     throw Error(fmt::format("{} has {} bytes; at most {} are allowed", file.name(), file.size(), max_bytes));
   std::string text(file.size(), '\0');
@@ -176,11 +166,10 @@ std::map<std::string, std::int64_t> read_counts(const fs::path& path) {
   return counts;
 }
 
-std::string read_case_error(const fs::path& path) {
-  std::error_code error;
-  if (fs::symlink_status(path, error).type() == fs::file_type::not_found) return {};
+std::string read_case_error(const HeldFolder& folder, const std::string& name) {
+  if (!folder.has(name)) return {};
   try {
-    UntrustedFile file(path);
+    UntrustedFile file(folder, name);
     std::string text(std::min(file.size(), max_sentence), '\0');
     const bool cut = file.size() > text.size();
     file.read(text.data(), text.size());

@@ -51,26 +51,25 @@ void answer(const Program& program, const std::vector<Case>& cases, const std::v
   const TemporaryFolder folder("atelier-measure");
   Json job = {{"cases", Json::array()}};
   for (const Case& c : cases) job["cases"].push_back(to_json(c));
-  const fs::path file = folder.path() / "cases.json", out = folder.path() / "out";
+  const fs::path file = folder.path() / "cases.json";
+  const HeldFolder out = folder.held().create_folder("out");
   write_file(file, job.dump());
-  fs::create_directories(out);
-  std::vector<std::string> arguments = {"--cases", file.string(), "--out", out.string()};
+  std::vector<std::string> arguments = {"--cases", file.string(), "--out", out.path().string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
   run(program, arguments);
   for (const Case& c : cases) {
     for (const char* kind : {".build_error", ".error", ".exception"})
-      if (const std::string words = read_case_error(out / (c.name + kind)); !words.empty())
+      if (const std::string words = read_case_error(out, c.name + kind); !words.empty())
         throw Error(fmt::format("{}: scene '{}': {}", program.file.filename().string(), c.scene, words));
     take(out, c);
   }
 }
 
-Cost read_cost(const fs::path& file) {
+Cost read_cost(const HeldFolder& out, const std::string& where) {
   constexpr double largest = 1e9;  // seconds, or frames
   Cost cost;
-  for (const auto& [name, count] : read_counts(file)) cost.counts[name] = double(count);
-  const std::string where = file.filename().string();
-  const Json json = strict_json::parse(read_file(file, stats_limit), where);
+  for (const auto& [name, count] : read_counts(out, where)) cost.counts[name] = double(count);
+  const Json json = strict_json::parse(read_file(out.path() / where, stats_limit), where);
   if (const Json* frames = strict_json::optional(json, "frames")) {
     const auto member = [&](const char* name) {
       return strict_json::number(strict_json::required(*frames, name, where), where + ": frames: " + name, 0, largest);
@@ -129,17 +128,16 @@ std::vector<Drawn> draw(const Program& program, const std::vector<Case>& cases, 
   if (repeats > 0) options.insert(options.end(), {"--repeat", std::to_string(repeats)});
   if (!program.context.empty()) options.insert(options.end(), {"--context", program.context});
   std::vector<Drawn> drawn;
-  answer(program, cases, options, [&](const fs::path& out, const Case& c) {
-    drawn.push_back({read_pixels(out / (c.name + ".pixels"), c.size), read_cost(out / (c.name + ".stats"))});
+  answer(program, cases, options, [&](const HeldFolder& out, const Case& c) {
+    drawn.push_back({read_pixels(out, c.name + ".pixels", c.size), read_cost(out, c.name + ".stats")});
   });
   return drawn;
 }
 
 std::vector<Image> trace(const Program& program, const std::vector<Case>& cases, int samples) {
   std::vector<Image> truths;
-  answer(program, cases, {"--truth", "--samples", std::to_string(samples)}, [&](const fs::path& out, const Case& c) {
-    truths.push_back(read_pixels(out / (c.name + ".pixels"), c.size));
-  });
+  answer(program, cases, {"--truth", "--samples", std::to_string(samples)},
+         [&](const HeldFolder& out, const Case& c) { truths.push_back(read_pixels(out, c.name + ".pixels", c.size)); });
   return truths;
 }
 

@@ -37,10 +37,10 @@ std::vector<Drawn> drawn(const std::string& step, std::vector<Case> pictures) {
   std::vector<Drawn> all;
   for (const Case& picture : pictures) {
     INFO("picture " << picture.name << ", " << picture.scene << ": "
-                    << read_case_error(folder.path() / (picture.name + ".error")));
+                    << read_case_error(folder.held(), picture.name + ".error"));
     REQUIRE(std::filesystem::exists(folder.path() / (picture.name + ".stats")));
     const json stats = json::parse(read_file(folder.path() / (picture.name + ".stats")));
-    all.push_back({read_pixels(folder.path() / (picture.name + ".pixels"), picture.size), stats["counts"]});
+    all.push_back({read_pixels(folder.held(), picture.name + ".pixels", picture.size), stats["counts"]});
   }
   return all;
 }

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/process.hpp"
+#include "base/system_reason.hpp"
 
 namespace atelier {
 namespace {
@@ -117,7 +118,7 @@ void restart(const fs::path& program, const CommandLine& line) {
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(program.c_str(), pointers.data());
-  throw Error(fmt::format("{}: cannot be restarted: {}", program.string(), std::generic_category().message(errno)));
+  throw Error(fmt::format("{}: cannot be restarted: {}", program.string(), system_reason()));
 }
 
 }  // namespace atelier

@@ -103,8 +103,8 @@ std::map<std::string, Image> truths(const Workshop& workshop, const Version& ver
   if (!finished.ok()) throw Error(fmt::format("{} --truth: {}", workshop.step().name, finished.output));
   std::map<std::string, Image> traced;
   for (const Case& ask : asks)
-    if (const auto file = folder.path() / (ask.name + ".pixels"); std::filesystem::exists(file))
-      traced[ask.name] = read_pixels(file, ask.size);
+    if (const std::string file = ask.name + ".pixels"; folder.held().has(file))
+      traced[ask.name] = read_pixels(folder.held(), file, ask.size);
   return traced;
 }
 

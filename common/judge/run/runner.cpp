@@ -116,13 +116,12 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
 
   const auto indices =
       distribute(cases, case_order(cases.size(), settings.shuffle), static_cast<std::size_t>(settings.workers));
-  const TemporaryFolder folder("atelier-run");
-  require_space(folder.path(), working_space);
+  const fs::path disk = temporary_parent();
+  require_space(disk, working_space);
   int time_outs = 0;
   std::vector<std::unique_ptr<Shard>> shards;
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    shards.push_back(
-        std::make_unique<Shard>(settings, cases, indices[i], folder.path() / std::to_string(i), time_outs, deliver));
+  for (const std::deque<std::size_t>& waiting : indices)
+    shards.push_back(std::make_unique<Shard>(settings, cases, waiting, time_outs, deliver));
   const auto done = [](const auto& shard) { return shard->done(); };
   while (!std::all_of(shards.begin(), shards.end(), done)) {
     wait_for_any(shards);
@@ -131,7 +130,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
       if (!shard->done()) shard->advance();
   }
   const auto is_normal = [](const Answer& answer) { return answer.ended == Answer::Ended::normally; };
-  if (!std::all_of(answers.begin(), answers.end(), is_normal)) require_space(folder.path(), min_free_space);
+  if (!std::all_of(answers.begin(), answers.end(), is_normal)) require_space(disk, min_free_space);
   return answers;
 }
 

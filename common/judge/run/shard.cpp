@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/printable.hpp"
 #include "base/process.hpp"
 #include "case/exchange.hpp"
@@ -16,7 +14,6 @@
 namespace atelier::judge {
 namespace {
 
-namespace fs = std::filesystem;
 using std::chrono::milliseconds;
 using Ended = Answer::Ended;
 
@@ -49,44 +46,44 @@ LastWords last_words(const std::string& output) {
 
 /// Reads a program's answer to a case. Removes the picture afterwards, so that many large pictures do not fill the
 /// disk.
-Answer read_answer(const Case& c, const fs::path& folder, bool counted) {
+Answer read_answer(const Case& c, const HeldFolder& folder, bool counted) {
   Answer answer;
-  const fs::path pixels = folder / (c.name + ".pixels"), values = folder / (c.name + ".values");
+  const std::string pixels = c.name + ".pixels";
   try {
-    answer.error = read_case_error(folder / (c.name + ".build_error"));
+    if (!folder.in_place())
+      throw Error("the program has moved, removed or replaced the folder for its answers: none of them is read");
+    answer.error = read_case_error(folder, c.name + ".build_error");
     if (!answer.error.empty()) {
       answer.ended = Ended::build_failed;
       return answer;
     }
-    answer.error = read_case_error(folder / (c.name + ".exception"));
+    answer.error = read_case_error(folder, c.name + ".exception");
     if (!answer.error.empty()) {
       answer.ended = Ended::crashed;
       return answer;
     }
-    answer.error = read_case_error(folder / (c.name + ".error"));
+    answer.error = read_case_error(folder, c.name + ".error");
     if (!answer.error.empty()) return answer;
     if (c.probe.empty())
-      answer.pixels = read_pixels(pixels, c.size);
+      answer.pixels = read_pixels(folder, pixels, c.size);
     else
-      answer.values = read_values(values);
-    if (counted && c.probe.empty()) answer.counts = read_counts(folder / (c.name + ".stats"));
+      answer.values = read_values(folder, c.name + ".values");
+    if (counted && c.probe.empty()) answer.counts = read_counts(folder, c.name + ".stats");
     answer.ended = Ended::normally;
   } catch (const Error& error) {
     answer.error = shorten(printable(error.what()), 500);
   }
-  std::error_code ignored;
-  fs::remove(pixels, ignored);
+  folder.remove_file(pixels);
   return answer;
 }
 
 }  // namespace
 
 Shard::Shard(const RunSettings& settings, const std::vector<Case>& cases, std::deque<std::size_t> waiting,
-             fs::path folder, int& time_outs, Deliver deliver)
+             int& time_outs, Deliver deliver)
     : settings_(settings),
       cases_(cases),
       waiting_(std::move(waiting)),
-      folder_(std::move(folder)),
       time_outs_(time_outs),
       deliver_(std::move(deliver)) {
   start();
@@ -94,10 +91,10 @@ Shard::Shard(const RunSettings& settings, const std::vector<Case>& cases, std::d
 
 /// Starts a process for the waiting cases, in a new folder, so that files of a crashed process are not read as answers.
 void Shard::start() {
-  const fs::path folder = folder_ / std::to_string(++processes_), out = folder / "out", job = folder / "job.json";
-  std::error_code error;
-  fs::create_directories(out, error);
-  if (error) throw Error(fmt::format("{}: cannot be created: {}", out.string(), error.message()));
+  out_.reset();
+  folder_.emplace("atelier-run");
+  out_ = folder_->held().create_folder("out");
+  const std::filesystem::path job = folder_->path() / "job.json";
   nlohmann::json asks = nlohmann::json::array();
   for (const std::size_t index : waiting_) asks.push_back(to_json(cases_[index]));
   write_file(job, nlohmann::json{{"cases", asks}}.dump(1) + "\n");
@@ -106,7 +103,7 @@ void Shard::start() {
                                         "--cases",
                                         job.string(),
                                         "--out",
-                                        out.string(),
+                                        out_->path().string(),
                                         "--implementations",
                                         settings_.implementations.to_string(),
                                         "--progress",
@@ -179,7 +176,7 @@ void Shard::begin(const std::string& name) {
 
 void Shard::end(const std::string& name) {
   if (!running_ || cases_[*running_].name != name) return;
-  Answer answer = read_answer(cases_[*running_], folder_ / std::to_string(processes_) / "out", settings_.count);
+  Answer answer = read_answer(cases_[*running_], *out_, settings_.count);
   answer.output = std::exchange(output_, {});
   answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   deliver_(*std::exchange(running_, {}), std::move(answer));

@@ -4,13 +4,13 @@
 #include <chrono>
 #include <cstddef>
 #include <deque>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/file.hpp"
 #include "judge/run/runner.hpp"
 #include "judge/run/worker.hpp"
 
@@ -23,8 +23,8 @@ class Shard {
   using Deliver = std::function<void(std::size_t index, Answer)>;
 
   /// `time_outs` is a counter that all shards of a run share.
-  Shard(const RunSettings& settings, const std::vector<Case>& cases, std::deque<std::size_t> waiting,
-        std::filesystem::path folder, int& time_outs, Deliver deliver);
+  Shard(const RunSettings& settings, const std::vector<Case>& cases, std::deque<std::size_t> waiting, int& time_outs,
+        Deliver deliver);
 
   bool done() const { return worker_ == nullptr; }
   const Worker& worker() const { return *worker_; }         ///< only while not done()
@@ -44,13 +44,13 @@ class Shard {
 
   const RunSettings& settings_;
   const std::vector<Case>& cases_;
-  std::deque<std::size_t> waiting_;     ///< not begun yet, in order
-  std::optional<std::size_t> running_;  ///< begun and not ended
-  std::filesystem::path folder_;        ///< has a folder for each process, with its job file and its answers
+  std::deque<std::size_t> waiting_;        ///< not begun yet, in order
+  std::optional<std::size_t> running_;     ///< begun and not ended
+  std::optional<TemporaryFolder> folder_;  ///< of this process: its job file, and the folder for its answers
+  std::optional<HeldFolder> out_;          ///< the folder for its answers, opened before the process started
   int& time_outs_;
   Deliver deliver_;
   std::unique_ptr<Worker> worker_;
-  int processes_ = 0;
   bool case_begun_ = false;  ///< whether this process has begun a case
   std::string output_;       ///< printed since the last "end" line
   std::string tail_;         ///< the last bytes that this process has printed

@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "base/sealed.hpp"
+#include "base/system_reason.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -43,7 +44,7 @@ std::string why_unusable(const fs::path& path) {
   const auto size = fs::file_size(path, error);
   if (!error && size > source_limit) return is_too_large();
   if (error || ::access(path.c_str(), R_OK) != 0)
-    return "cannot be read: " + (error ? error.message() : std::generic_category().message(errno));
+    return "cannot be read: " + (error ? error.message() : system_reason());
   std::string begin(seal_length, ' ');
   std::ifstream(path, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
   return is_sealed(begin) ? is_of_a_solution : std::string();

@@ -152,7 +152,7 @@ TEST_CASE("the judge can read the counts of the maximum number of groups with lo
                      {.depth = 99, .name = std::string(1000, 'x'), .passes = 999, .draws = many, .triangles = many});
   const TemporaryFolder folder("atelier-cost-test");
   write_file(folder.path() / "a.stats", cost_as_json(cost));
-  CHECK(read_counts(folder.path() / "a.stats").at("triangles") == 7);
+  CHECK(read_counts(folder.held(), "a.stats").at("triangles") == 7);
 }
 
 TEST_CASE("the cost of each picture case is written beside its picture on request", "[cost]") {

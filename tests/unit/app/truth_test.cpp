@@ -106,8 +106,8 @@ TEST_CASE("picture cases are answered with files, probes with the reason for ref
                                             {"name": "twice", "probe": "twice", "inputs": [{"x": 1}]}]})"));
   const TrueStep step;
   trace_cases(step, folder.path() / "cases.json", folder.path(), 2, std::nullopt);
-  CHECK(read_pixels(folder.path() / "seen.pixels", {8, 8}).at(4, 4).r == 0.75f);
-  CHECK(mentions(read_case_error(folder.path() / "twice.error"), {"probe 'twice'", "only pictures"}));
+  CHECK(read_pixels(folder.held(), "seen.pixels", {8, 8}).at(4, 4).r == 0.75f);
+  CHECK(mentions(read_case_error(folder.held(), "twice.error"), {"probe 'twice'", "only pictures"}));
 }
 
 TEST_CASE("the progress bar appears only on terminals, and only after a delay", "[truth]") {

@@ -35,7 +35,7 @@ std::string bytes_of(const Image& image) {
 std::string values_refusal(const std::string& text) {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.values", text);
-  return error_of([&] { read_values(folder.path() / "a.values"); });
+  return error_of([&] { read_values(folder.held(), "a.values"); });
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ TEST_CASE("all pixels are read back bit by bit") {
   Image image = small_picture();
   image.at(2, 1) = {std::nanf("0x1234"), inf, -inf, -0.0f};
   write_pixels(folder.path() / "a.pixels", image);
-  const Image back = read_pixels(folder.path() / "a.pixels", {3, 2});
+  const Image back = read_pixels(folder.held(), "a.pixels", {3, 2});
   CHECK(std::memcmp(back.pixels().data(), image.pixels().data(), image.pixels().size_bytes()) == 0);
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("pixels of the wrong kind or size are refused") {
   for (const Row& row : rows) {
     const TemporaryFolder folder;
     write_file(folder.path() / "a.pixels", row.bytes);
-    const std::string message = error_of([&] { read_pixels(folder.path() / "a.pixels", {3, 2}); });
+    const std::string message = error_of([&] { read_pixels(folder.held(), "a.pixels", {3, 2}); });
     INFO(message);
     CHECK(message.find(row.words) != std::string::npos);
   }
@@ -88,25 +88,28 @@ TEST_CASE("anything but a regular file is refused at once") {
   fs::create_symlink(target, folder.path() / "link");
   fs::create_directory(folder.path() / "directory");
   REQUIRE(mkfifo((folder.path() / "fifo").c_str(), 0600) == 0);
+  write_pixels(folder.path() / "first", small_picture());
+  fs::create_hard_link(folder.path() / "first", folder.path() / "second");
+  const HeldFolder devices("/dev");
   struct Row {
-    fs::path path;
-    const char* words;
+    const HeldFolder& folder;
+    std::string name, words;
   };
   const Row rows[] = {
-      {folder.path() / "link", "link is a symbolic link, not a regular file"},
-      {folder.path() / "directory", "directory is a folder, pipe or device"},
-      {folder.path() / "fifo", "fifo is a folder, pipe or device"},  // open would wait here for a writer
-      {"/dev/zero", "zero is a folder, pipe or device"},
-      {folder.path() / "nothing", "nothing: No such file"},
+      {folder.held(), "link", "link is a symbolic link, not a regular file"},
+      {folder.held(), "second", "second is a hard link to a file that has another name"},
+      {folder.held(), "directory", "directory is a folder, pipe or device"},
+      {folder.held(), "fifo", "fifo is a folder, pipe or device"},  // open would wait here for a writer
+      {devices, "zero", "zero is a folder, pipe or device"},
+      {folder.held(), "nothing", "nothing: No such file"},
   };
   for (const Row& row : rows) {
-    const std::string pixels = error_of([&] { read_pixels(row.path, {3, 2}); });
-    const std::string values = error_of([&] { read_values(row.path); });
+    const std::string pixels = error_of([&] { read_pixels(row.folder, row.name, {3, 2}); });
+    const std::string values = error_of([&] { read_values(row.folder, row.name); });
     INFO(pixels << "\n" << values);
     CHECK(pixels.find(row.words) != std::string::npos);
     CHECK(values.find(row.words) != std::string::npos);
-    const bool missing = row.path.filename() == "nothing";
-    CHECK(read_case_error(row.path).empty() == missing);
+    CHECK(read_case_error(row.folder, row.name).empty() == (row.name == "nothing"));
   }
 }
 
@@ -115,10 +118,10 @@ TEST_CASE("a sparse file of the wrong size is refused") {
   write_file(folder.path() / "a", "ATELIER1");
   fs::resize_file(folder.path() / "a", std::uintmax_t(1) << 40);
   CHECK(error_of([&] {
-          read_pixels(folder.path() / "a", {3, 2});
+          read_pixels(folder.held(), "a", {3, 2});
         }).find("has 1099511627776 bytes") != std::string::npos);
-  CHECK(error_of([&] { read_values(folder.path() / "a"); }).find("1048576 are allowed") != std::string::npos);
-  CHECK(read_case_error(folder.path() / "a").size() <= 500);
+  CHECK(error_of([&] { read_values(folder.held(), "a"); }).find("1048576 are allowed") != std::string::npos);
+  CHECK(read_case_error(folder.held(), "a").size() <= 500);
 }
 
 TEST_CASE("values are read back as the same doubles") {
@@ -126,7 +129,7 @@ TEST_CASE("values are read back as the same doubles") {
   const std::vector<Numbers> written = {
       {0.1, 1.0 / 3, 1e300, 5e-324, -17, 0, -0.0, 9007199254740993.0}, {}, {std::nan(""), inf, -inf}};
   write_values(folder.path() / "a", written);
-  const std::vector<Numbers> read = read_values(folder.path() / "a");
+  const std::vector<Numbers> read = read_values(folder.held(), "a");
   REQUIRE(read.size() == 3);
   CHECK(read[0] == written[0]);
   CHECK(std::signbit(read[0][6]));
@@ -186,13 +189,13 @@ TEST_CASE("a case's error is one printable line") {
     INFO(row.name);
     const TemporaryFolder folder;
     write_file(folder.path() / "e", row.bytes);
-    CHECK(read_case_error(folder.path() / "e") == row.shown);
+    CHECK(read_case_error(folder.held(), "e") == row.shown);
   }
   const TemporaryFolder folder;
   const std::string long_line(10000, 'x');
   write_case_error(folder.path() / "e", fmt::format("{}\nmore", long_line));
-  CHECK(read_case_error(folder.path() / "e").size() <= 500);
+  CHECK(read_case_error(folder.held(), "e").size() <= 500);
   write_file(folder.path() / "e", long_line);
-  CHECK(read_case_error(folder.path() / "e").size() <= 500);
-  CHECK(read_case_error(folder.path() / "nothing").empty());
+  CHECK(read_case_error(folder.held(), "e").size() <= 500);
+  CHECK(read_case_error(folder.held(), "nothing").empty());
 }

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 #include <set>
 
 #include "base/descriptor.hpp"
 #include "base/file.hpp"
+#include "case/exchange.hpp"
 #include "catch.hpp"
 #include "words.hpp"
 
@@ -19,6 +21,7 @@ using namespace atelier::judge;
 using namespace std::chrono_literals;
 using Ended = Answer::Ended;
 using test::error_of;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -114,6 +117,42 @@ TEST_CASE("each misbehaviour fails only its own case") {
     CHECK(place(answers[2]) == (row.own_end ? 1 : 3));
     CHECK(answers[1].output.size() <= s.output_limit);
   }
+}
+
+TEST_CASE("a folder of answers that is exchanged for a link is neither read nor emptied") {
+  const TemporaryFolder temporary;
+  const fs::path precious = temporary.path() / "precious", away = temporary.path() / "away";
+  fs::create_directories(away);
+  const std::vector<Case> cases =
+      make_cases({"exchanges its folder", "honest", "exchanges its folder, hangs", "honest"});
+  // What a judge that follows the link would read, and remove: answers, and a folder named like ours.
+  fs::create_directories(precious / "out");
+  for (const Case& c : cases)
+    for (const char* const folder : {".", "out"}) write_pixels(precious / folder / (c.name + ".pixels"), Image(8, 4));
+  write_file(precious / "out" / (cases[1].name + ".error"), "a secret");
+  const auto names = [&] {
+    std::set<fs::path> all;
+    for (const auto& entry : fs::recursive_directory_iterator(precious)) all.insert(entry.path());
+    return all;
+  };
+  const std::set<fs::path> before = names();
+  RunSettings s = settings();
+  s.case_limit = 400ms;
+  s.environment = {{"FAKE_AWAY", away.string()}, {"FAKE_PRECIOUS", precious.string()}};
+
+  const std::vector<Answer> answers = run_cases(s, cases);
+
+  for (const std::size_t i : {0u, 1u}) {
+    CHECK(to_string(answers[i].ended) == "missing");
+    CHECK(answers[i].error ==
+          "the program has moved, removed or replaced the folder for its answers: none of them is read");
+    CHECK_FALSE(answers[i].pixels.has_value());
+  }
+  CHECK(to_string(answers[2].ended) == "timeout");
+  CHECK(to_string(answers[3].ended) == "normally");  // a new process has a new folder
+  CHECK(place(answers[3]) == 1);
+  CHECK(names() == before);
+  for (const auto& moved : fs::directory_iterator(away)) CHECK(fs::is_empty(moved));  // what the judge made is removed
 }
 
 TEST_CASE("a case that crashes in every process is run once") {

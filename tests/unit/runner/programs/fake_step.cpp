@@ -80,6 +80,12 @@ void leave_child() {
   if (lock >= 0) ::close(lock);
 }
 
+/// Moves a folder into FAKE_AWAY, and puts a link to FAKE_PRECIOUS at its place.
+void exchange_folder(const fs::path& folder, const std::string& name) {
+  fs::rename(folder, fs::path(std::getenv("FAKE_AWAY")) / name);
+  fs::create_directory_symlink(std::getenv("FAKE_PRECIOUS"), folder);
+}
+
 /// What a scene's name stands for. A deed that returns is followed by "end".
 std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> deeds() {
   return {
@@ -171,6 +177,16 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
        [](const Case& c, const fs::path& file) {
          draw(c, file);
          fs::resize_file(file, std::uintmax_t(1) << 40);  // sparse: costs no disk, only whoever reads it
+       }},
+      {"exchanges its folder",
+       [](const Case& c, const fs::path& file) {
+         draw(c, file);
+         exchange_folder(options["--out"], c.name);
+       }},
+      {"exchanges its folder, hangs",
+       [](const Case& c, const fs::path&) {
+         exchange_folder(fs::path(options["--out"]).parent_path(), c.name);
+         hang();
        }},
       {"garbage", [](const Case&, const fs::path& file) { std::ofstream(file) << "no pixels at all\n"; }},
       {"ends on stdout",
