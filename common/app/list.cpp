@@ -54,8 +54,10 @@ std::string list_as_json(const StepDescription& description) {
   }
   json["outputs"] = nlohmann::json::array();
   for (const OutputSpec& output : description.outputs)
-    json["outputs"].push_back(
-        {{"name", output.name}, {"encoding", encoding_name(output.encoding)}, {"help", output.help}});
+    json["outputs"].push_back({{"name", output.name},
+                               {"encoding", encoding_name(output.encoding)},
+                               {"help", output.help},
+                               {"stage", to_string(output.stage)}});
   json["probes"] = nlohmann::json::array();
   for (const auto& [name, probe] : description.probes) json["probes"].push_back(name);
   return json.dump(2) + "\n";

@@ -90,12 +90,15 @@ SceneProgram::SceneProgram(SceneStep step) : step_(std::move(step)) {
     description_.settings.insert(description_.settings.end(), group.begin(), group.end());
   description_.settings.push_back(draw_constants_setting());
   for (SettingSpec& spec : frame_settings()) description_.settings.push_back(std::move(spec));
-  description_.outputs = {{"colour", Encoding::linear, "what is seen"}};
+  description_.outputs = {{"colour", Encoding::linear, "what is seen", Stage::colour}};
   for (const OutputSpec& output : step_.outputs) description_.outputs.push_back(output);
-  description_.outputs.push_back({"depth", Encoding::data, "depth as it is stored: 0 to 1"});
-  description_.outputs.push_back({"normal", Encoding::data, "the normal n in world space, as n/2 + 1/2"});
-  description_.outputs.push_back({"position", Encoding::data, "the position in world space, metres"});
-  description_.outputs.push_back({"texcoord", Encoding::data, "the texture coordinate as (u, v, 0)"});
+  const auto add = [&](const char* name, const char* help) {
+    description_.outputs.push_back({name, Encoding::data, help, Stage::surface});
+  };
+  add("position", "the position in world space, metres");
+  add("depth", "depth as it is stored: 0 to 1");
+  add("texcoord", "the texture coordinate as (u, v, 0)");
+  add("normal", "the normal n in world space, as n/2 + 1/2");
 }
 
 void SceneProgram::open(Gl& gl, const Implementations& implementations) {

@@ -13,20 +13,14 @@
 #include "base/error.hpp"
 #include "case/case.hpp"
 #include "case/implementations.hpp"
+#include "case/output.hpp"
 #include "case/settings.hpp"
 #include "gl/gl.hpp"
 #include "gl/target.hpp"
-#include "image/colour.hpp"
 #include "render/counts.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
-
-struct OutputSpec {
-  std::string name;                      ///< "colour", "depth", ...
-  Encoding encoding = Encoding::linear;  ///< linear colour, sRGB-encoded colour, or data (a depth, a coded direction)
-  std::string help;                      ///< one sentence with the unit
-};
 
 /// What --list prints.
 struct StepDescription {

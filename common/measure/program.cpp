@@ -20,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 using strict_json::Json;
 
-constexpr std::chrono::hours time_limit{2};   ///< of one run with all its cases; tracing is slow
-constexpr std::size_t stats_limit = 1 << 16;  ///< bytes of a NAME.stats
+constexpr std::chrono::hours time_limit{2};     ///< of one run with all its cases; tracing is slow
+constexpr std::chrono::seconds list_limit{20};  ///< of --list, which draws nothing
+constexpr std::size_t stats_limit = 1 << 16;    ///< bytes of a NAME.stats
 
 std::map<std::string, std::string> environment_of(const Program& program) {
   judge::RunSettings settings;
@@ -30,11 +31,11 @@ std::map<std::string, std::string> environment_of(const Program& program) {
   return judge::program_environment(settings);
 }
 
-std::string run(const Program& program, std::vector<std::string> arguments) {
+std::string run(const Program& program, std::vector<std::string> arguments, std::chrono::milliseconds limit) {
   arguments.insert(arguments.begin(), program.file.string());
   arguments.insert(arguments.end(), {"--implementations", program.implementations.to_string()});
-  const Finished finished = run_process(
-      {.arguments = arguments, .folder = {}, .environment = environment_of(program), .time_limit = time_limit});
+  const Finished finished =
+      run_process({.arguments = arguments, .folder = {}, .environment = environment_of(program), .time_limit = limit});
   if (finished.ok()) return finished.output;
   const std::string how = finished.signal      ? signal_name(finished.signal)
                           : finished.timed_out ? "it exceeded the time limit"
@@ -56,7 +57,7 @@ void answer(const Program& program, const std::vector<Case>& cases, const std::v
   write_file(file, job.dump());
   std::vector<std::string> arguments = {"--cases", file.string(), "--out", out.path().string()};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  run(program, arguments);
+  run(program, arguments, time_limit);
   for (const Case& c : cases) {
     for (const char* kind : {".build_error", ".error", ".exception"})
       if (const std::string words = read_case_error(out, c.name + kind); !words.empty())
@@ -94,21 +95,30 @@ SettingSpec setting_of(const Json& json) {
 
 std::vector<std::string> Listing::output_names() const {
   std::vector<std::string> names;
-  for (const auto& [name, encoding] : outputs) names.push_back(name);
+  for (const OutputSpec& output : outputs) names.push_back(output.name);
   return names;
 }
 
+Encoding Listing::encoding_of(const std::string& output) const {
+  for (const OutputSpec& spec : outputs)
+    if (spec.name == output) return spec.encoding;
+  return Encoding::data;
+}
+
 Listing list_of(const Program& program) {
-  const std::string text = run(program, {"--list", "--json"});
+  const std::string text = run(program, {"--list", "--json"}, list_limit);
   Listing listing;
   try {
     const Json json = Json::parse(text);
     for (const Json& setting : json.at("settings")) listing.settings.push_back(setting_of(setting));
     for (const Json& output : json.at("outputs")) {
       const std::string encoding = output.at("encoding");
-      listing.outputs[output.at("name")] = encoding == "linear colour"    ? Encoding::linear
-                                           : encoding == "encoded colour" ? Encoding::srgb
-                                                                          : Encoding::data;
+      listing.outputs.push_back({.name = output.at("name"),
+                                 .encoding = encoding == "linear colour"    ? Encoding::linear
+                                             : encoding == "encoded colour" ? Encoding::srgb
+                                                                            : Encoding::data,
+                                 .help = output.at("help"),
+                                 .stage = stage_named(output.at("stage").get<std::string>())});
     }
   } catch (const Json::exception& error) {
     throw Error(fmt::format("{} --list --json: {}", program.file.filename().string(), error.what()));

@@ -10,7 +10,8 @@
 
 #include "case/case.hpp"
 #include "case/implementations.hpp"
-#include "image/colour.hpp"
+#include "case/output.hpp"
+#include "image/image.hpp"
 
 namespace atelier::measure {
 
@@ -24,9 +25,11 @@ struct Program {
 /// The program's settings and outputs, from --list --json.
 struct Listing {
   std::vector<SettingSpec> settings;
-  std::map<std::string, Encoding> outputs;
+  std::vector<OutputSpec> outputs;
   std::vector<std::string> output_names() const;
+  Encoding encoding_of(const std::string& output) const;  ///< data for an output that it does not have
 };
+/// Throws Error with the program's message if it fails.
 Listing list_of(const Program& program);
 
 /// Wall-clock time of a frame, from the first OpenGL call to the end of glFinish, in seconds.

@@ -69,7 +69,7 @@ void measure_points(const Program& program, const Listing& listing, const Case& 
   }
   const std::vector<Image> made = truths.make(program);
   std::vector<Drawn> drawn = draw(program, cases, options.repeats);
-  const Encoding encoding = listing.outputs.at(ask.output);
+  const Encoding encoding = listing.encoding_of(ask.output);
   for (std::size_t i = 0; i < points.size(); ++i) {
     Point& point = points[i];
     try {

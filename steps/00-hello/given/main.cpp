@@ -80,7 +80,7 @@ class Hello : public StepProgram {
                                .camera = false,
                                .scenes = {"triangle"},
                                .settings = frame_settings(),
-                               .outputs = {{"colour", Encoding::linear, "what is seen"}}};
+                               .outputs = {{"colour", Encoding::linear, "what is seen", Stage::colour}}};
   Gl* gl_ = nullptr;
   Implementations implementations_;
   GlVertexArray vertex_array_;

@@ -16,7 +16,7 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .settings = {{shading_setting()}, lit_surface_settings(), {blind_setting()}, blinn_phong_scene_settings()},
       .outputs = {{"diffuse", Encoding::linear, "the ambient and diffuse part alone"},
                   {"specular", Encoding::linear, "the highlights alone"},
-                  {"encoded", Encoding::srgb, "what is seen, encoded by your srgb_encode"}},
+                  {"encoded", Encoding::srgb, "what is seen, encoded by your srgb_encode", Stage::after_colour}},
       .probes = blinn_phong_probes(),
       .transforms = transform_functions(),
       .features =

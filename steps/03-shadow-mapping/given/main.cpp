@@ -14,9 +14,9 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .title = ATELIER_STEP_TITLE,
       .scenes = shadow_scenes(),
       .settings = {shadow_setting_specs(), shadow_scene_settings(), lit_surface_settings()},
-      .outputs = {shadow_factor_output(),
-                  {"shadow_coordinate", Encoding::data, "(u, v, z) in the map of one light"},
-                  {"shadow_map", Encoding::data, "the map of one light as it is stored, 0 to 1"}},
+      .outputs = {{"shadow_coordinate", Encoding::data, "(u, v, z) in the map of one light"},
+                  shadow_factor_output(),
+                  {"shadow_map", Encoding::data, "the map of one light as it is stored, 0 to 1", Stage::other_view}},
       .probes = shadow_mapping_probes(),
       .transforms = transform_functions(),
       .features =

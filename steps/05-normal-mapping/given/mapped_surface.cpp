@@ -52,7 +52,8 @@ std::vector<SettingSpec> normal_mapping_settings() {
 }
 
 OutputSpec recorded_normal_output() {
-  return {"recorded_normal", Encoding::data, "normals in view space as colours: a normal map of what is seen"};
+  return {"recorded_normal", Encoding::data, "normals in view space as colours: a normal map of what is seen",
+          Stage::aside};
 }
 
 void MappedSurface::configure(const Settings& settings) {

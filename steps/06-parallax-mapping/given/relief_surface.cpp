@@ -57,7 +57,8 @@ std::vector<SettingSpec> parallax_settings() {
 }
 
 std::vector<OutputSpec> parallax_outputs() {
-  return {{"recorded_height", Encoding::data, "nearness as a height, 0 to 1: a height map of what is seen"}};
+  return {
+      {"recorded_height", Encoding::data, "nearness as a height, 0 to 1: a height map of what is seen", Stage::aside}};
 }
 
 glm::dvec2 recorded_range(const Settings& settings) {

@@ -65,12 +65,12 @@ std::vector<SettingSpec> post_settings() {
 }
 
 std::vector<OutputSpec> post_outputs() {
-  return {{"bright", Encoding::linear, "the light that blooms"},
-          {"blur", Encoding::linear, "the same, blurred"},
-          {"bloom", Encoding::linear, "the picture after the bloom"},
-          {"tone", Encoding::linear, "the picture after tone mapping"},
-          {"adjust", Encoding::linear, "the picture after hue, saturation and brightness"},
-          {"table", Encoding::linear, "the picture after the table of colours"}};
+  return {{"bright", Encoding::linear, "the light that blooms", Stage::pass},
+          {"blur", Encoding::linear, "the same, blurred", Stage::pass},
+          {"bloom", Encoding::linear, "the picture after the bloom", Stage::pass},
+          {"tone", Encoding::linear, "the picture after tone mapping", Stage::pass},
+          {"adjust", Encoding::linear, "the picture after hue, saturation and brightness", Stage::pass},
+          {"table", Encoding::linear, "the picture after the table of colours", Stage::pass}};
 }
 
 void PostChain::configure(const Settings& settings) {

@@ -64,9 +64,9 @@ std::vector<SettingSpec> dither_settings() {
 
 std::vector<OutputSpec> dither_outputs() {
   std::vector<OutputSpec> outputs = post_outputs();
-  outputs.push_back({"dither", Encoding::linear, "the picture after dithering, before lines"});
-  outputs.push_back(
-      {"seen", Encoding::linear, "the picture; its truth is what it stands for, without dithering and lines"});
+  outputs.push_back({"dither", Encoding::linear, "the picture after dithering, before lines", Stage::pass});
+  outputs.push_back({"seen", Encoding::linear,
+                     "the picture; its truth is what it stands for, without dithering and lines", Stage::after_colour});
   return outputs;
 }
 

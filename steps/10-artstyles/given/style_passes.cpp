@@ -94,12 +94,14 @@ std::vector<SettingSpec> style_settings() {
 
 std::vector<OutputSpec> style_outputs() {
   std::vector<OutputSpec> outputs = post_outputs();
-  outputs.push_back({"first", Encoding::linear, "the picture after the first style"});
-  outputs.push_back({"second", Encoding::linear, "the picture after the second style"});
-  outputs.push_back({"edges", Encoding::data, "how strongly the picture changes, as a part of the most that it can"});
-  outputs.push_back({"steps", Encoding::data, "red: steps in depth, green: bends of the surface"});
+  outputs.push_back({"first", Encoding::linear, "the picture after the first style", Stage::pass});
+  outputs.push_back({"second", Encoding::linear, "the picture after the second style", Stage::pass});
+  outputs.push_back({"edges", Encoding::data, "how strongly the picture changes, as a part of the most that it can",
+                     Stage::after_colour});
+  outputs.push_back({"steps", Encoding::data, "red: steps in depth, green: bends of the surface", Stage::aside});
   outputs.push_back({"relief", Encoding::data,
-                     "the picture's normal map, as n/2 + 1/2, distorted by the first style if it is a fish-eye"});
+                     "the picture's normal map, as n/2 + 1/2, distorted by the first style if it is a fish-eye",
+                     Stage::aside});
   return outputs;
 }
 

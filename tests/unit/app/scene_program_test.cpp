@@ -47,7 +47,7 @@ TEST_CASE("a scene program offers the renderer's intermediates beside its own ou
   const test::FakeStep step;
   std::vector<std::string> names;
   for (const OutputSpec& output : step.description().outputs) names.push_back(output.name);
-  CHECK(names == std::vector<std::string>{"colour", "depth", "normal", "position", "texcoord"});
+  CHECK(names == std::vector<std::string>{"colour", "position", "depth", "texcoord", "normal"});
 }
 
 TEST_CASE("a scene program has the settings of the frame behind its own", "[scene_program]") {
