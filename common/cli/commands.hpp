@@ -33,6 +33,16 @@ struct CheckOptions {
 };
 int run_check(const CheckOptions& options);
 
+struct ExplainOptions {
+  std::string step, case_name;
+  std::string pixel;              ///< "X,Y" from the upper left corner; empty: where the picture differs most
+  std::string context;            ///< "osmesa", "egl", "window", or empty: the first available one
+  std::string earlier;            ///< as for check
+  std::filesystem::path sources;  ///< as for check
+  bool json = false;
+};
+int run_explain(const ExplainOptions& options);
+
 struct WatchOptions {
   std::string step;     ///< empty: the first that has not passed
   std::string context;  ///< "osmesa", "egl", "window", or empty: the first available one

@@ -55,6 +55,11 @@ void add_earlier(CLI::App* command, std::string& earlier) {
       ->check(CLI::IsMember({"mine", "solution"}));
 }
 
+void add_sources(CLI::App* command, std::filesystem::path& sources) {
+  command->add_option("--sources", sources, "Folder of your NN-name folders; default: steps")
+      ->check(CLI::ExistingDirectory);
+}
+
 void add_references(CLI::App* command, bool& live) {
   command
       ->add_option_function<std::string>(
@@ -66,6 +71,7 @@ void add_references(CLI::App* command, bool& live) {
 struct AllOptions {
   ListOptions list;
   CheckOptions check;
+  ExplainOptions explain;
   WatchOptions watch;
   RunOptions run;
   HintOptions hint;
@@ -101,12 +107,24 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   add_earlier(check, options.check.earlier);
   add_references(check, options.check.live);
   check->add_option("--report", options.check.report, "Folder of the report; default: out/check/STEP");
-  check->add_option("--sources", options.check.sources, "Folder of your NN-name folders; default: steps")
-      ->check(CLI::ExistingDirectory);
+  add_sources(check, options.check.sources);
   check->add_flag("--table", options.check.table, "Also show a line for each case");
   check->add_flag("--heatmap", options.check.heatmap, "Show as text where a picture differs");
   check->add_flag("--skip-report", options.check.skip_report, "Print the verdict, but write no files");
   add_json(check, options.check.json);
+
+  CLI::App* explain =
+      interface.add("explain", "Show every intermediate result at a pixel of a case, and the first that differs",
+                    options.explain, run_explain);
+  add_step(explain, options.explain.step);
+  explain->add_option("case", options.explain.case_name, "A case with a picture")->required();
+  explain->add_option("--pixel", options.explain.pixel,
+                      "X,Y: whole numbers from the upper left corner, as in a report; default: where the picture "
+                      "differs most");
+  add_context(explain, options.explain.context);
+  add_earlier(explain, options.explain.earlier);
+  add_sources(explain, options.explain.sources);
+  add_json(explain, options.explain.json);
 
   CLI::App* watch = interface.add("watch", "Check at every save, and show one thing to fix", options.watch, run_watch);
   watch->add_option("step", options.watch.step, "A step; default: the first that you have not passed");

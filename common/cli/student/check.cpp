@@ -53,6 +53,17 @@ std::string what_next(const OwnCheck& check, bool passed) {
   return after_pass(check.folders(), standings(check.folders(), check.course(), record), check.step().name);
 }
 
+/// How to look into a failed picture: the first that the report's causes show, at its worst pixel.
+std::string where_to_look(const judge::StepResult& result, const std::string& step) {
+  for (const judge::Cause& cause : result.causes)
+    for (const auto* indices : {&cause.shown, &cause.waiting})
+      for (const std::size_t i : *indices)
+        if (const judge::CaseResult& c = result.cases[i]; c.worst)
+          return fmt::format("One pixel, step by step: ./atelier explain {} {} --pixel {},{}\n", step, c.name,
+                             c.worst->x, c.worst->y);
+  return {};
+}
+
 }  // namespace
 
 int run_check(const CheckOptions& options) {
@@ -96,6 +107,8 @@ int run_check(const CheckOptions& options) {
   }
   const bool passed = grade::all_passed(result.steps.front());
   if (!passed && !options.json) fmt::print("{}", on_another_driver(result, check, options.live));
+  if (!passed && !options.json && options.sources.empty())
+    fmt::print("{}", where_to_look(result.steps.front(), check.step().number()));
   if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, passed));
   return passed ? exit_ok : exit_failed;
 }

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <future>
-#include <system_error>
 
 #include "base/error.hpp"
 #include "base/sha256.hpp"
@@ -20,19 +18,6 @@ namespace atelier {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// The files in steps/, or in a folder given by the caller, with separate libraries.
-grade::Code own_code(const ProjectFolders& folders, const OwnCheckOptions& options) {
-  if (options.sources.empty()) return code_of(folders, Owner::mine);
-  const fs::path sources = fs::weakly_canonical(options.sources), all = folders.implementations() / "elsewhere";
-  const fs::path kept = all / sha256(sources.string()).substr(0, 16);
-  // Remove folders that were not used for a day; they are rebuilt when needed.
-  std::error_code none;
-  for (const auto& other : fs::directory_iterator(all, none))
-    if (other.path() != kept && fs::file_time_type::clock::now() - other.last_write_time(none) > std::chrono::hours(24))
-      fs::remove_all(other.path(), none);
-  return {.sources = sources, .libraries = kept};
-}
 
 /// The picture for preview.png: the first one that fails, or the first one.
 const judge::Evidence* picture_to_show(const judge::StepResult& result) {
@@ -61,28 +46,18 @@ OwnCheck::OwnCheck(const ProjectFolders& folders, std::vector<CourseStep> course
   read_progress(folders_.progress());  // report an invalid record before the work
 }
 
-judge::RunSettings OwnCheck::run_settings(Implementations path) const {
-  judge::RunSettings settings;
-  settings.program = folders_.program(step_.name);
-  settings.implementations = std::move(path);
-  if (is_there(folders_, step_.name, Owner::solution))
-    settings.solution = search_path(folders_, step_, code_of(folders_, Owner::solution), {});
-  settings.context = options_.context;
-  settings.shader_cache = folders_.shader_cache();
-  return settings;
-}
-
 judge::StepResult OwnCheck::judge(const std::function<bool()>& interrupted) {
   judged_files_ = digest_of_files(folders_.steps() / step_.name, step_.files);
   std::future<void> references = std::async(std::launch::async, [&] { judge_.require_references(); });
-  const OwnFiles own = prepare_own_files(folders_, course_, step_, own_code(folders_, options_), options_.earlier);
+  const OwnFiles own =
+      prepare_own_files(folders_, course_, step_, own_code(folders_, options_.sources), options_.earlier);
   references.get();
   if (interrupted && interrupted()) throw judge::Interrupted();  // ignore the result of a stopped compiler
 
-  judge::RunSettings settings = run_settings(own.path);
+  judge::RunSettings settings = run_settings(folders_, step_, own.path, options_.context);
   settings.interrupted = interrupted;
   if (options_.live && !live_drawn_) {  // once: the solution does not change
-    judge_.use_live_references(run_settings(settings.solution.value()));
+    judge_.use_live_references(run_settings(folders_, step_, settings.solution.value(), options_.context));
     live_drawn_ = true;
   }
   judge::StepResult result =

@@ -39,8 +39,6 @@ class OwnCheck {
   const std::vector<CourseStep>& course() const { return course_; }
 
  private:
-  judge::RunSettings run_settings(Implementations path) const;
-
   ProjectFolders folders_;
   std::vector<CourseStep> course_;
   CourseStep step_;

@@ -8,7 +8,6 @@
 #include "judge/compare/verdict_parts.hpp"
 
 namespace atelier::judge {
-namespace {
 
 Status status_of(Answer::Ended ended) {
   switch (ended) {
@@ -25,6 +24,8 @@ Status status_of(Answer::Ended ended) {
   }
   return Status::missing;
 }
+
+namespace {
 
 std::string default_reason(Status status) {
   switch (status) {

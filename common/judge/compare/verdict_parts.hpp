@@ -32,6 +32,9 @@ CaseResult judge_choice(CaseResult result, const JudgedCase& c, const Answer& an
                         KeepEvidence keep);
 CaseResult judge_probe(CaseResult result, const JudgedCase& c, const Answer& answer, const StepReferences& references);
 
+/// The status of an answer that is not judged yet: failed if it ended normally.
+Status status_of(Answer::Ended ended);
+
 /// Why there is no answer: the program's message, or a sentence for the status.
 std::string reason_without_answer(Status status, const Answer& answer);
 

@@ -68,6 +68,10 @@ std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& st
   return answers;
 }
 
+Case ask_of(const RunSettings& settings, const std::string& step, const JudgedCase& c) {
+  return c.choice ? with_choices(c, choices_of(settings, step)) : c.ask;
+}
+
 std::vector<Answer> ask_truths(const RunSettings& settings, const std::vector<JudgedCase>& cases) {
   std::vector<Answer> answers(cases.size());
   Part part;

@@ -15,6 +15,10 @@ namespace atelier::judge {
 std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& step,
                               const std::vector<JudgedCase>& cases, const OnAnswer& on_answer = {});
 
+/// What a program is asked for a case: with the settings of NN-name/choices.txt if it has a choice. Throws Error if the
+/// file or a choice is invalid.
+Case ask_of(const RunSettings& settings, const std::string& step, const JudgedCase& c);
+
 /// The ground truths of the cases with a choice, from the oracle; for other cases an answer without pixels.
 std::vector<Answer> ask_truths(const RunSettings& settings, const std::vector<JudgedCase>& cases);
 
