@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <tuple>
 
@@ -207,7 +208,6 @@ PixelRow compare_pixel(const OutputSpec& output, const JudgedCase& how, const An
     return row;
   }
   row.yours = yours.pixels->at(at.x, at.y);
-  row.differs = !is_finite(*row.yours);
   JudgedCase compared = how;
   if (right.beside == Beside::truth) compared.profile = Profile::robust;
   std::optional<Distance> nearest;
@@ -218,6 +218,10 @@ PixelRow compare_pixel(const OutputSpec& output, const JudgedCase& how, const An
     row.right = picture->at(at.x, at.y);
   }
   if (nearest) std::tie(row.apart, row.differs) = std::pair(nearest->apart, nearest->differs);
+  if (!is_finite(*row.yours)) {  // the encoding for a display would make it 0
+    row.apart = std::numeric_limits<double>::infinity();
+    row.differs = true;
+  }
   return row;
 }
 

@@ -39,7 +39,7 @@ struct PixelRow {
   std::optional<Rgba> yours;  ///< none: `problem` says why
   std::optional<Rgba> right;  ///< none: nothing is known to compare with
   Beside beside = Beside::solution;
-  double apart = 0;  ///< in the unit; infinite if only one of the two is finite
+  double apart = 0;  ///< in the unit; infinite if yours is not finite
   bool differs = false;
   std::string problem;  ///< "crashed: ..."
 
