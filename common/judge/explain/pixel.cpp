@@ -245,7 +245,8 @@ std::vector<std::string> functions_behind(const std::string& output, const Judge
   for (const JudgedCase& other : step) {
     if (!judges(other, output)) continue;
     for (const std::string& function : other.functions) {
-      const bool needed = needs.empty() || std::ranges::count(needs, function) > 0;
+      const bool needed =
+          needs.empty() || std::ranges::count(needs, function) + std::ranges::count(c.functions, function) > 0;
       if (needed && std::ranges::count(functions, function) == 0) functions.push_back(function);
     }
   }

@@ -83,7 +83,7 @@ struct PixelReport {
 const PixelRow* first_to_differ(const PixelReport& report);
 
 /// The functions that make an output, by the cases that judge it: of `c` itself if it is its own output, else of all
-/// cases that show it, as far as `c` needs them (`needs`, empty: unknown).
+/// cases that show it, as far as `c` tests them or needs them (`needs`; empty: unknown).
 std::vector<std::string> functions_behind(const std::string& output, const JudgedCase& c,
                                           const std::vector<std::string>& needs, const std::vector<JudgedCase>& step);
 

@@ -167,6 +167,8 @@ TEST_CASE("the functions that make an output") {
   CHECK(functions_behind("colour", own, {"pcf"}, step) == Names{"shade"});
   CHECK(functions_behind("shadow_factor", own, {}, step) == Names{"pcf", "compare_depth", "pcss"});
   CHECK(functions_behind("shadow_factor", own, {"pcss", "shade"}, step) == Names{"pcss"});
+  own.functions = {"compare_depth"};  // tested although its skeleton would do
+  CHECK(functions_behind("shadow_factor", own, {"pcss"}, step) == Names{"compare_depth", "pcss"});
   CHECK(functions_behind("normal", own, {}, step).empty());
 }
 
