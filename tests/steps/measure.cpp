@@ -22,8 +22,8 @@ std::vector<CourseStep> measured_steps() {
   return steps;
 }
 
-/// The words of a line, between commas.
-std::vector<std::string> words_of(const std::string& line) {
+/// The fields of a line, between commas.
+std::vector<std::string> fields_of(const std::string& line) {
   std::vector<std::string> words;
   std::istringstream text(line);
   for (std::string word; std::getline(text, word, ',');) words.push_back(word);
@@ -36,7 +36,7 @@ std::string like_a_plot(const std::string& measured, const std::string& sweep, c
   std::string text = plot.substr(0, plot.find('\n') + 1);
   std::istringstream lines(measured);
   for (std::string line; std::getline(lines, line);)
-    if (const std::vector<std::string> words = words_of(line); words.at(0) == sweep)
+    if (const std::vector<std::string> words = fields_of(line); words.at(0) == sweep)
       text += words.at(1) + "," + words.at(2) + "," + words.at(4) + "\n";
   return text;
 }
