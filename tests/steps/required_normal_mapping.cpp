@@ -2,6 +2,7 @@
 #include "catch.hpp"
 #include "drawn.hpp"
 
+using namespace atelier;
 using namespace atelier::test;
 
 TEST_CASE("surfaces without a normal map have no tangents, no texture and no code for it",

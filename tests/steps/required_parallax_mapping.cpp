@@ -2,6 +2,7 @@
 #include "catch.hpp"
 #include "drawn.hpp"
 
+using namespace atelier;
 using namespace atelier::test;
 
 namespace {

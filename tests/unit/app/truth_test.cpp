@@ -87,7 +87,7 @@ TEST_CASE("a request without a ground truth is refused with the reason", "[truth
     change(picture);
     return error_of([&] { trace_case(step, picture, 1); });
   };
-  CHECK(mentions(refused([](Case& c) { c.output = "shadow"; }), {"output 'shadow'", "colour, depth"}));
+  CHECK(mentions(refused([](Case& c) { c.output = "shadow"; }), {"output 'shadow'", "colour, position, depth"}));
   CHECK(mentions(refused([](Case& c) { c.scene = "hut"; }), {"'hut'", "box, ring"}));
   CHECK(mentions(refused([](Case& c) { c.settings["draw.wireframe"] = true; }), {"draw.wireframe", "no width"}));
   CHECK(mentions(refused([](Case& c) {
