@@ -126,7 +126,7 @@ TEST_CASE("editors find the place of a driver's message, and of the project's ow
         build_program(gl, vertex, assemble_shader(find, std::string(step) + "/sums.glsl", {}));
       });
       write_case_error(folder.path() / "error", said);
-      const std::string reason = read_case_error(folder.path() / "error");
+      const std::string reason = read_case_error(folder.held(), "error");
       for (const std::string& text : texts_with(unbuilt(reason, ""), "error: " + said + "\n")) {
         INFO(text);
         const std::set<json> problems = problems_in(text, "check");

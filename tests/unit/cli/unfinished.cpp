@@ -11,7 +11,7 @@ using atelier::test::mentions;
 namespace {
 
 /// A release of three steps; the third uses the others.
-struct SmallCourse {
+struct TwoStepCourse {
   TemporaryFolder root;
   ProjectFolders folders{.root = root.path(), .build = root.path() / "build"};
   std::vector<CourseStep> course = {{.name = "01-move", .files = {"move.glsl"}},
@@ -19,7 +19,7 @@ struct SmallCourse {
                                     {.name = "03-shadow", .uses = {"01-move", "02-light"}}};
   Owners owners = {{"01-move", Owner::mine}, {"02-light", Owner::mine}};
 
-  SmallCourse() {
+  TwoStepCourse() {
     for (const std::string name : {"01-move/move.glsl", "02-light/light.glsl"}) {
       write("skeletons/" + name, "skeleton");
       write("steps/" + name, "skeleton");
@@ -47,7 +47,7 @@ using States = std::map<std::string, std::string>;
 }  // namespace
 
 TEST_CASE("the earlier steps of one's own that do not pass are named with their state") {
-  SmallCourse c;
+  TwoStepCourse c;
   CHECK(c.states() == States{{"01-move", "untouched"}, {"02-light", "untouched"}});
   c.write("steps/01-move/move.glsl", "mine");
   CHECK(c.states()["01-move"] == "not checked yet");
@@ -66,7 +66,7 @@ TEST_CASE("the earlier steps of one's own that do not pass are named with their 
 }
 
 TEST_CASE("the first thing to do is to check the first of them") {
-  SmallCourse c;
+  TwoStepCourse c;
   CHECK(mentions(c.words(), {"03-shadow", "01-move (untouched), 02-light (untouched)", "First: ./atelier check 01"}));
   std::filesystem::remove(c.folders.case_file("01-move"));
   CHECK(mentions(c.words(), {"First finish 01-move", "steps/01-move"}));
