@@ -36,7 +36,7 @@ class Work {
   TemporaryFolder folder_;
 };
 
-std::vector<std::string> words_of(const std::string& line) {
+std::vector<std::string> arguments_in(const std::string& line) {
   std::vector<std::string> words;
   std::istringstream stream(line);
   for (std::string word; stream >> word;) words.push_back(word);
@@ -52,7 +52,7 @@ TEST_CASE("a wrong highlight is found before the colour that it makes wrong", "[
   const std::string command = "./atelier explain 02 backlight --pixel ";
   const auto at = checked.output.find(command);
   REQUIRE(at != std::string::npos);
-  std::vector<std::string> arguments = words_of(checked.output.substr(at, checked.output.find('\n', at) - at));
+  std::vector<std::string> arguments = arguments_in(checked.output.substr(at, checked.output.find('\n', at) - at));
   arguments.erase(arguments.begin());
 
   const Finished text = work.run(arguments);

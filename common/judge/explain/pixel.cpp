@@ -199,7 +199,7 @@ std::string to_string(Beside beside) {
 
 PixelRow compare_pixel(const OutputSpec& output, const JudgedCase& how, const Answer& yours, const RightPictures& right,
                        Position at) {
-  PixelRow row{.output = output.name, .help = output.help, .how = how, .beside = right.beside};
+  PixelRow row{.output = output.name, .stage = output.stage, .how = how, .beside = right.beside};
   if (!right.pictures.empty()) row.right = right.pictures.front()->at(at.x, at.y);
   if (!yours.pixels) {
     const Status status = status_of(yours.ended);
@@ -261,6 +261,7 @@ std::string pixel_sentence(const PixelReport& report) {
   if (!first) return "Nothing differs at this pixel." + elsewhere(report);
   std::string text = fmt::format("{} is the first to differ: {}.", subject(*first), how_far(*first));
   text += functions_words(report) + doubt(report, *first);
+  if (first->stage == Stage::pass) text += " A pass may read other pixels, at which an output before it may differ.";
   if (!report.rows.back().differs)
     text += fmt::format(" The case's own output, {}, does not differ here.{}", report.rows.back().output,
                         elsewhere(report));

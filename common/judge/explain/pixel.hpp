@@ -34,7 +34,7 @@ std::string to_string(Beside beside);  ///< "solution" ...
 /// One output at the pixel. Values are as a program writes them: linear or encoded colour, a direction as n/2 + 1/2.
 struct PixelRow {
   std::string output;
-  std::string help;           ///< what it is, as the program lists it
+  Stage stage = Stage::light;
   JudgedCase how;             ///< it is compared in this unit, with this tolerance and exposure
   std::optional<Rgba> yours;  ///< none: `problem` says why
   std::optional<Rgba> right;  ///< none: nothing is known to compare with

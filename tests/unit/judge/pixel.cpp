@@ -224,6 +224,10 @@ TEST_CASE("the sentence names the first that differs") {
     CHECK(
         mentions(pixel_sentence(report), {"ray-traced truth, which a right step may only approximate: Mipmaps blur."}));
   }
+  SECTION("a pass may read other pixels") {
+    report.rows = {row_of("bloom", white, grey, c)};
+    CHECK(mentions(pixel_sentence(report), {"The output 'bloom' is the first", "A pass may read other pixels"}));
+  }
   SECTION("nothing to compare with") {
     report.rows = {compare_pixel(output("colour"), c, answer_of(Image(1, 1, grey)), {}, {})};
     CHECK(pixel_sentence(report) == "There is nothing to compare with.");
