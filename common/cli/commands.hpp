@@ -35,9 +35,9 @@ int run_check(const CheckOptions& options);
 
 struct ExplainOptions {
   std::string step, case_name;
-  std::string pixel;              ///< "X,Y" from the upper left corner; empty: where the picture differs most
-  std::string context;            ///< "osmesa", "egl", "window", or empty: the first available one
-  std::string earlier;            ///< as for check
+  std::string pixel;    ///< "X,Y" from the upper left corner; empty: where the picture differs most, else its middle
+  std::string context;  ///< "osmesa", "egl", "window", or empty: the first available one
+  std::string earlier;  ///< as for check
   std::filesystem::path sources;  ///< as for check
   bool json = false;
 };

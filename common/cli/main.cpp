@@ -120,7 +120,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
   explain->add_option("case", options.explain.case_name, "A case with a picture")->required();
   explain->add_option("--pixel", options.explain.pixel,
                       "X,Y: whole numbers from the upper left corner, as in a report; default: where the picture "
-                      "differs most");
+                      "differs most, else its middle");
   add_context(explain, options.explain.context);
   add_earlier(explain, options.explain.earlier);
   add_sources(explain, options.explain.sources);

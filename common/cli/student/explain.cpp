@@ -85,7 +85,6 @@ std::vector<Case> asks_for(const Case& ask, const std::vector<OutputSpec>& outpu
 std::vector<Answer> traced(judge::RunSettings settings, const std::vector<Case>& asks) {
   settings.truth = true;
   settings.case_limit = trace_limit;
-  settings.max_time_outs = 1;
   return judge::run_cases(settings, asks);
 }
 
@@ -203,11 +202,12 @@ int run_explain(const ExplainOptions& options) {
 
   const OwnFiles own = prepare_own_files(folders, course, step, own_code(folders, options.sources), options.earlier);
   if (!own.built.ok) throw Error(fmt::format("{} does not build:\n{}", step.name, own.built.log));
-  const judge::RunSettings settings = run_settings(folders, step, own.path, options.context);
+  judge::RunSettings settings = run_settings(folders, step, own.path, options.context);
+  settings.max_time_outs = 1;  // the outputs of one case: if one hangs, the others do
   const Case ask = judge::ask_of(settings, step.name, c);
   const Drawn drawn = draw(inspected, c, ask, settings);
   const std::optional<WorstPixel> worst = worst_pixel(c, drawn);
-  if (!at) at = worst ? worst->at : Position{};
+  if (!at) at = worst && worst->differs ? worst->at : Position{c.ask.size.x / 2, c.ask.size.y / 2};
 
   judge::PixelReport report{.step = step.name,
                             .case_name = c.ask.name,
@@ -231,7 +231,8 @@ int run_explain(const ExplainOptions& options) {
   name_functions(report, inspected, c);
   fmt::print(
       "{}", options.json ? judge::pixel_json(report) : judge::pixel_text(report, judge::terminal_style(STDOUT_FILENO)));
-  return judge::first_to_differ(report) ? exit_failed : exit_ok;
+  const bool differs = std::ranges::any_of(report.rows, &judge::PixelRow::differs);
+  return differs || judge::drew_nothing(report) ? exit_failed : exit_ok;
 }
 
 }  // namespace atelier

@@ -5,7 +5,6 @@
 #include <future>
 
 #include "base/error.hpp"
-#include "base/sha256.hpp"
 #include "cli/criteria.hpp"
 #include "cli/student/own_files.hpp"
 #include "cli/student/progress_record.hpp"

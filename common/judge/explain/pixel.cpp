@@ -203,7 +203,9 @@ PixelRow compare_pixel(const OutputSpec& output, const JudgedCase& how, const An
   if (!right.pictures.empty()) row.right = right.pictures.front()->at(at.x, at.y);
   if (!yours.pixels) {
     const Status status = status_of(yours.ended);
-    row.problem = fmt::format("{}: {}", to_string(status), reason_without_answer(status, yours));
+    std::string words = to_string(status);
+    std::ranges::replace(words, '_', ' ');
+    row.problem = fmt::format("{}: {}", words, reason_without_answer(status, yours));
     row.differs = row.right.has_value();
     return row;
   }
@@ -233,7 +235,12 @@ Visible visible_at(const Image& things, Position at) {
   return own == 0 ? Visible::background : Visible::surface;
 }
 
+bool drew_nothing(const PixelReport& report) {
+  return std::ranges::none_of(report.rows, [](const PixelRow& row) { return row.yours.has_value(); });
+}
+
 const PixelRow* first_to_differ(const PixelReport& report) {
+  if (drew_nothing(report)) return nullptr;
   const auto found = std::ranges::find_if(report.rows, &PixelRow::differs);
   return found == report.rows.end() ? nullptr : &*found;
 }
@@ -254,6 +261,8 @@ std::vector<std::string> functions_behind(const std::string& output, const Judge
 }
 
 std::string pixel_sentence(const PixelReport& report) {
+  if (drew_nothing(report))
+    return "Your program drew nothing: " + (report.rows.empty() ? "no output" : report.rows.front().problem);
   const bool comparable =
       std::ranges::any_of(report.rows, [](const PixelRow& row) { return row.right.has_value() || row.differs; });
   if (!comparable) return "There is nothing to compare with.";

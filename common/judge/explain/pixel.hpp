@@ -79,7 +79,10 @@ struct PixelReport {
   std::optional<Position> worst;  ///< where the case's own output differs most; none if no pixel is out of tolerance
 };
 
-/// The first row that differs.
+/// Whether the program answered no output at all: it does not compile, crashes or hangs.
+bool drew_nothing(const PixelReport& report);
+
+/// The first row that differs; none if the program drew nothing.
 const PixelRow* first_to_differ(const PixelReport& report);
 
 /// The functions that make an output, by the cases that judge it: of `c` itself if it is its own output, else of all

@@ -173,8 +173,11 @@ std::string pixel_text(const PixelReport& report, const TerminalStyle& style) {
   if (const std::string words = settings_words(report); !words.empty())
     text += wrapped(printable(words), style.width, 2) + "\n";
   for (const auto& [step, who] : report.implementations) text += fmt::format("  with {}: {}\n", step, who);
-  text += "\n" + table(report, style) + "\n";
-  for (const std::string& line : missing_words(report)) text += wrapped(printable(line), style.width, 2) + "\n";
+  text += "\n";
+  if (!drew_nothing(report)) {
+    text += table(report, style) + "\n";
+    for (const std::string& line : missing_words(report)) text += wrapped(printable(line), style.width, 2) + "\n";
+  }
   return text + wrapped(printable(pixel_sentence(report)), style.width, 0) + "\n";
 }
 

@@ -224,6 +224,15 @@ TEST_CASE("the sentence names the first that differs") {
     CHECK(
         mentions(pixel_sentence(report), {"ray-traced truth, which a right step may only approximate: Mipmaps blur."}));
   }
+  SECTION("a program that draws nothing") {
+    for (PixelRow& row : report.rows) {
+      row.yours.reset();
+      row.problem = "build failed: line 3";
+    }
+    CHECK(drew_nothing(report));
+    CHECK(first_to_differ(report) == nullptr);
+    CHECK(pixel_sentence(report) == "Your program drew nothing: build failed: line 3");
+  }
   SECTION("a pass may read other pixels") {
     report.rows = {row_of("bloom", white, grey, c)};
     CHECK(mentions(pixel_sentence(report), {"The output 'bloom' is the first", "A pass may read other pixels"}));
