@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -46,8 +47,10 @@ std::string on_another_driver(const judge::SubmissionResult& result, const OwnCh
       driver->second);
 }
 
-/// What to do next: after a pass, or to get a hint.
-std::string what_next(const OwnCheck& check, bool passed) {
+/// What to do next: after a pass, or to get a hint; nothing where the compiler has said it.
+std::string what_next(const OwnCheck& check, const judge::StepResult& result, bool passed) {
+  const auto is_unbuilt = [](const judge::CaseResult& c) { return c.status == judge::Status::build_failed; };
+  if (std::ranges::any_of(result.cases, is_unbuilt)) return {};
   if (!passed) return fmt::format("Stuck? ./atelier hint {}\n", check.step().number());
   const ProgressRecord record = read_progress(check.folders().progress());
   return after_pass(check.folders(), standings(check.folders(), check.course(), record), check.step().name);
@@ -109,7 +112,7 @@ int run_check(const CheckOptions& options) {
   if (!passed && !options.json) fmt::print("{}", on_another_driver(result, check, options.live));
   if (!passed && !options.json && options.sources.empty())
     fmt::print("{}", where_to_look(result.steps.front(), check.step().number()));
-  if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, passed));
+  if (check.counts_as_progress() && !options.json) fmt::print("{}", what_next(check, result.steps.front(), passed));
   return passed ? exit_ok : exit_failed;
 }
 

@@ -64,7 +64,13 @@ bool is_proven(const CaseFile& cases, const std::string& function, const Progres
   return any;
 }
 
+/// The function that is wrong by the last verdict, if that began with this case; else those that are not proven.
 std::vector<std::string> functions_in_doubt(const CaseFile& cases, const JudgedCase& c, const ProgressRecord& record) {
+  if (const auto found = record.find(cases.step); found != record.end() && found->second.check) {
+    const CheckRecord& check = *found->second.check;
+    if (check.begin_with == c.ask.name && std::ranges::count(c.functions, check.wrong_function) > 0)
+      return {check.wrong_function};
+  }
   std::vector<std::string> functions;
   for (const std::string& function : c.functions)
     if (!is_proven(cases, function, record)) functions.push_back(function);

@@ -35,7 +35,7 @@ const Json& object(const Json& value, const std::string& where) {
 }
 
 CheckRecord check_from(const Json& value, const std::string& where) {
-  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases", "begin_with"}, where);
+  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases", "begin_with", "wrong_function"}, where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(value, name, where); };
   CheckRecord check;
   check.when = strict_json::text(member("when"), where + ": when", 40);
@@ -46,6 +46,8 @@ CheckRecord check_from(const Json& value, const std::string& where) {
     check.cases[name] = strict_json::boolean(passed, where + ": cases: " + name);
   if (const Json* begin_with = strict_json::optional(value, "begin_with"))
     check.begin_with = strict_json::name(*begin_with, where + ": begin_with");
+  if (const Json* function = strict_json::optional(value, "wrong_function"))
+    check.wrong_function = strict_json::name(*function, where + ": wrong_function");
   return check;
 }
 
@@ -84,6 +86,7 @@ OrderedJson to_json(const StepProgress& step) {
                      {"files", step.check->files},
                      {"cases", step.check->cases}};
   if (step.check && !step.check->begin_with.empty()) json["check"]["begin_with"] = step.check->begin_with;
+  if (step.check && !step.check->wrong_function.empty()) json["check"]["wrong_function"] = step.check->wrong_function;
   if (!step.hints.empty()) json["hints"] = step.hints;
   return json;
 }
@@ -128,7 +131,11 @@ void change_progress(const fs::path& file, const std::function<void(ProgressReco
 void record_check(ProgressRecord& record, const judge::StepResult& result, const std::string& files) {
   CheckRecord check{.when = now_in_utc(), .score = result.score, .max_score = result.max_score, .files = files};
   for (const judge::CaseResult& c : result.cases) check.cases[c.name] = c.status == judge::Status::passed;
-  if (!result.causes.empty()) check.begin_with = judge::shown_case(result, result.causes.front()).name;
+  if (!result.causes.empty()) {
+    const judge::Cause& cause = result.causes.front();
+    check.begin_with = judge::shown_case(result, cause).name;
+    if (cause.kind == judge::Cause::Kind::function) check.wrong_function = cause.functions.front();
+  }
   StepProgress& step = record[result.step];
   step.best = std::max(step.best, check.score);
   step.check = std::move(check);

@@ -31,6 +31,7 @@ struct CheckRecord {
   std::string files;                  ///< digest_of_files() of the judged files
   std::map<std::string, bool> cases;  ///< by name: whether it passed
   std::string begin_with;             ///< the case that the verdict began with; empty: every case passed, or not known
+  std::string wrong_function;         ///< that the verdict began with; empty: none
 
   int passed() const;  ///< how many of the cases
 };

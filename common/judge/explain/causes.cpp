@@ -57,6 +57,7 @@ class CauseFinder {
     add_pictures({others.begin(), choices});
     add_unwritten(failing);
     for (auto i = choices; i != others.end(); ++i) step_.causes.push_back({.kind = Cause::Kind::choice, .shown = {*i}});
+    put_unasked_last();
   }
 
  private:
@@ -132,6 +133,18 @@ class CauseFinder {
       if (is_new) step_.causes.push_back({.kind = Cause::Kind::no_answer});
       step_.causes[place->second].shown.push_back(i);
     }
+  }
+
+  /// Cases that were not asked because others took too long wait for these.
+  void put_unasked_last() {
+    const auto timed_out = [&](const Cause& cause) {
+      return step_.cases[cause.shown.empty() ? cause.waiting.front() : cause.shown.front()].status == Status::timeout;
+    };
+    const auto first = std::ranges::find_if(
+        step_.causes, [](const Cause& cause) { return cause.kind != Cause::Kind::no_answer; });
+    const bool others_timed_out = std::ranges::any_of(first, step_.causes.end(), timed_out);
+    if (others_timed_out && first != step_.causes.begin() && timed_out(step_.causes.front()))
+      std::rotate(step_.causes.begin(), first, step_.causes.end());
   }
 
   void name_mistakes() {

@@ -136,9 +136,9 @@ std::string doubt(const PixelReport& report, const PixelRow& row) {
 std::string functions_words(const PixelReport& report) {
   if (report.functions.empty()) return {};
   const bool of_another_step = report.functions_of != report.step;
-  return fmt::format(" {} it: {}{}.",
-                     report.functions.size() == 1 ? "The function that makes" : "The functions that make",
-                     join(report.functions), of_another_step ? fmt::format(" ({})", report.functions_of) : "");
+  return fmt::format(" Look at {}{}, and at what {}.", join(report.functions),
+                     of_another_step ? fmt::format(" ({})", report.functions_of) : "",
+                     report.functions.size() == 1 ? "it calls" : "they call");
 }
 
 /// Where else to look.

@@ -90,7 +90,7 @@ const PixelRow* first_to_differ(const PixelReport& report);
 std::vector<std::string> functions_behind(const std::string& output, const JudgedCase& c,
                                           const std::vector<std::string>& needs, const std::vector<JudgedCase>& step);
 
-/// One or more plain sentences: which output is the first to differ, by how much, and which functions make it.
+/// One or more plain sentences: which output is the first to differ, by how much, and in which functions to look.
 std::string pixel_sentence(const PixelReport& report);
 
 }  // namespace atelier::judge

@@ -103,6 +103,16 @@ TEST_CASE("without a name, the hint is for the case that the verdict began with"
   CHECK(next_hint(course.folders, course.step, "one", course.record).case_name == "one");
 }
 
+TEST_CASE("the hint is for the function that the verdict began with, whatever else the case tests") {
+  HintedCourse course;
+  course.record["01-move"].check = CheckRecord{
+      .cases = {{"one", true}, {"both", false}}, .begin_with = "both", .wrong_function = "turn"};
+  CHECK(next_hint(course.folders, course.step, "", course.record).contracts.size() <= 1);
+  CHECK(hint_at(course.folders, course.step, "both", course.record, 2).functions == Texts{"turn"});
+  course.record["01-move"].check->wrong_function = "no-function-of-this-case";
+  CHECK(hint_at(course.folders, course.step, "both", course.record, 2).functions == Texts{"shift"});
+}
+
 TEST_CASE("a function whose own cases have passed needs no hint") {
   HintedCourse course;
   CHECK(hint_at(course.folders, course.step, "both", course.record, 2).functions == Texts{"turn", "shift"});

@@ -28,7 +28,7 @@ TEST_CASE("a missing record is empty, and a written one is read back") {
 
   ProgressRecord record;
   judge::StepResult failed = result_of(Status::passed, Status::failed, 4.25);
-  failed.causes.push_back({.shown = {1}});
+  failed.causes.push_back({.kind = judge::Cause::Kind::function, .functions = {"turn"}, .shown = {1}});
   record_check(record, failed, digest);
   raise_hint_level(record, "01-move", "b", 2);
   raise_hint_level(record, "99-from-a-later-course", "x", 1);
@@ -43,6 +43,7 @@ TEST_CASE("a missing record is empty, and a written one is read back") {
   CHECK(step.check->cases == std::map<std::string, bool>{{"a", true}, {"b", false}});
   CHECK(step.check->passed() == 1);
   CHECK(step.check->begin_with == "b");
+  CHECK(step.check->wrong_function == "turn");
   CHECK(step.check->when.size() == std::string("2025-03-01T09:30:00Z").size());
   CHECK(step.best == 4.25);
   CHECK(hint_level(again, "01-move", "b") == 2);

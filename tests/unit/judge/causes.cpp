@@ -86,6 +86,10 @@ class Step {
 
   void lose(const std::string& name) { step_.cases[index(name)].status = Status::missing; }
   void crash(const std::string& name) { step_.cases[index(name)].status = Status::crashed; }
+  void time_out(const std::string& name, const std::string& reason) {
+    step_.cases[index(name)].status = Status::timeout;
+    step_.cases[index(name)].reason = reason;
+  }
 
   const StepResult& explained() {
     explain_step(step_, cases_, references_);
@@ -293,4 +297,15 @@ TEST_CASE("what is not there, or ends in the same way everywhere, is one cause")
   REQUIRE(result.causes.size() == 1);
   CHECK(result.causes[0].kind == Cause::Kind::no_answer);
   CHECK(headlines(result) == "Begin with these 3 cases: crashed\n");
+}
+
+TEST_CASE("what took too long comes before the cases that were not run because of it") {
+  Step step;
+  step.time_out("near", "it took longer than 10 s");
+  for (const char* name : {"far", "hill", "lake"}) step.time_out(name, "not run");
+  const StepResult& result = step.explained();
+  REQUIRE(result.causes.size() == 2);
+  CHECK(result.causes[0].functions == std::vector<std::string>{"near"});
+  CHECK(result.causes[1].kind == Cause::Kind::no_answer);
+  CHECK(result.causes[1].shown.size() == 3);
 }

@@ -185,13 +185,13 @@ TEST_CASE("the sentence names the first that differs") {
   report.functions = {"world_normal"};
   CHECK(
       pixel_sentence(report) ==
-      "The normal is the first to differ: yours points 14.3 degrees away (0.5 degrees are allowed). The function that "
-      "makes it: world_normal (01-transforms).");
+      "The normal is the first to differ: yours points 14.3 degrees away (0.5 degrees are allowed). Look at "
+      "world_normal (01-transforms), and at what it calls.");
 
   SECTION("of this step, several") {
     report.functions_of = report.step;
     report.functions = {"a", "b"};
-    CHECK(mentions(pixel_sentence(report), {"The functions that make it: a, b."}));
+    CHECK(mentions(pixel_sentence(report), {"Look at a, b, and at what they call."}));
   }
   SECTION("a colour, and a position") {
     report.rows[1] = row_of("normal", up, up, c);
