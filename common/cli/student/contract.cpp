@@ -30,7 +30,7 @@ std::optional<Contract> contract_of(const ProjectFolders& folders, const CourseS
                                     const std::string& function) {
   for (const std::string& header : step.headers)
     if (header.starts_with(step.name + "/"))
-      if (auto contract = contract_in(read_file(folders.steps() / header), header, function)) return contract;
+      if (auto contract = contract_in(read_file(folders.root / "steps" / header), header, function)) return contract;
   for (const std::string& name : step.files) {
     if (!name.ends_with(".glsl")) continue;
     const StudentFile file{step, name};
