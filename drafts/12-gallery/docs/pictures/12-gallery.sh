@@ -1,0 +1,1 @@
+draw --scene gallery --set parallax.layers=64

@@ -1,0 +1,79 @@
+#include "12-gallery/given/plan.hpp"
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "12-gallery/gallery.hpp"
+#include "scene/shapes.hpp"
+
+namespace atelier {
+
+namespace {
+
+constexpr float wall_repeat = 10;
+
+double apothem(int segments) {
+  return hall_radius * std::cos(glm::pi<double>() / segments);
+}
+
+/// An upright frame.
+glm::dmat4 frame_at(const glm::dvec3& centre, const glm::dvec3& ahead) {
+  const glm::dvec3 up(0, 1, 0);
+  return {glm::dvec4(glm::cross(up, ahead), 0), glm::dvec4(up, 0), glm::dvec4(ahead, 0), glm::dvec4(centre, 1)};
+}
+
+}  // namespace
+
+double painting_distance(int segments) {
+  const double half_width = painting_half_size.x + 0.2;  // with the frame
+  return std::sqrt(apothem(segments) * apothem(segments) - half_width * half_width) - painting_gap;
+}
+
+glm::dmat4 door_frame() {
+  return frame_at(bedroom_centre + glm::dvec3(0, painting_height, bedroom_size.z / 2 - painting_gap), {0, 0, -1});
+}
+
+HallParts students_hall(int segments) {
+  HallParts parts{.wall = gallery::hall_wall(segments, float(hall_radius), float(hall_height), wall_repeat)};
+  for (int i = 0; i < paintings_in_hall; ++i)
+    parts.paintings[std::size_t(i)] =
+        gallery::painting_frame(i, paintings_in_hall, painting_distance(segments), painting_height);
+  return parts;
+}
+
+HallParts exact_hall(int segments) {
+  HallParts parts{.wall = make_cylinder_wall({.radius = float(hall_radius),
+                                              .height = float(hall_height),
+                                              .segments = segments,
+                                              .side = Side::inside,
+                                              .repeat = {wall_repeat, 1}})};
+  // The library's wall begins at +x; a quarter turn, clockwise from above, brings that corner to +z.
+  for (Vertex& vertex : parts.wall.vertices)
+    for (glm::vec3* v : {&vertex.position, &vertex.normal}) *v = {-v->z, v->y, v->x};
+  for (int i = 0; i < paintings_in_hall; ++i) {
+    const double turn = glm::two_pi<double>() * i / paintings_in_hall;
+    const glm::dvec3 ahead(std::sin(turn), 0, std::cos(turn));
+    parts.paintings[std::size_t(i)] =
+        frame_at(glm::dvec3(0, painting_height, 0) - painting_distance(segments) * ahead, ahead);
+  }
+  return parts;
+}
+
+std::vector<glm::dvec4> walls_of_hall(int segments) {
+  std::vector<glm::dvec4> walls;
+  for (int i = 0; i < segments; ++i) {
+    const double turn = glm::two_pi<double>() * (i + 0.5) / segments;
+    walls.emplace_back(std::sin(turn), 0, -std::cos(turn), apothem(segments));
+  }
+  return walls;
+}
+
+std::vector<glm::dvec4> walls_of_bedroom() {
+  const glm::dvec3 half = bedroom_size / 2.0, centre = bedroom_centre;
+  return {{1, 0, 0, half.x - centre.x},
+          {-1, 0, 0, half.x + centre.x},
+          {0, 0, 1, half.z - centre.z},
+          {0, 0, -1, half.z + centre.z}};
+}
+
+}  // namespace atelier
