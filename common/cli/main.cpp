@@ -117,7 +117,7 @@ void describe_for_students(Interface& interface, AllOptions& options) {
       interface.add("explain", "Show every intermediate result at a pixel of a case, and the first that differs",
                     options.explain, run_explain);
   add_step(explain, options.explain.step);
-  explain->add_option("case", options.explain.case_name, "A case with a picture")->required();
+  explain->add_option("case", options.explain.case_name, "A case with a picture");
   explain->add_option("--pixel", options.explain.pixel,
                       "X,Y: whole numbers from the upper left corner, as in a report; default: where the picture "
                       "differs most, else its middle");

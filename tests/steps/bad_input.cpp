@@ -45,6 +45,7 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
       {"no worker", {"grade", "solutions", "--workers", "0", "--out", out}, "--workers"},
       {"a case of no step", {"reference", "--case", "x"}, "--case"},
       {"no step to run", {"run"}, "which step"},
+      {"a pixel without its case", {"explain", "02"}, "name a case with a picture: encoded, "},
       {"a pixel of no case", {"explain", "02", "backlihgt"}, "did you mean 'backlight'?"},
       {"a pixel of a case like none", {"explain", "02", "zzzzzzzz"}, "known are encoded, "},
       {"a pixel of a probe",

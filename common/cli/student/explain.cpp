@@ -43,6 +43,7 @@ const JudgedCase& picture_named(const judge::CaseFile& file, const std::string& 
     names.push_back(c.ask.name);
     if (is_picture(c)) pictures.push_back(c.ask.name);
   }
+  if (name.empty()) throw Error(fmt::format("{}: name a case with a picture: {}", file.step, join(pictures)));
   const auto found = std::ranges::find(names, name);
   if (found == names.end())
     throw Error(fmt::format("{}: there is no case '{}'{}", file.step, name,
