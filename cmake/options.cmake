@@ -1,7 +1,8 @@
 # Compiler and linker options for all targets: the interface target `atelier_options`.
 add_library(atelier_options INTERFACE)
 target_compile_options(atelier_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wno-missing-field-initializers
+  -Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wno-missing-field-initializers
+  $<$<CXX_COMPILER_ID:GNU>:-Wshadow>  # Clang's also means names of other files in one unity source
   $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false positives of GCC 12 in std::string
   # False positives of GCC 13 and newer: they assume that a returned reference refers to a temporary string argument
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>

@@ -132,7 +132,6 @@ TEST_CASE("data: ranges and factors") {
 TEST_CASE("other errors are not explained by an operation") {
   const Image right = draw({});
   const JudgedCase c = picture_case();
-  Drawing wrong;
   struct Change {
     const char* name;
     void (*apply)(Drawing&);
