@@ -26,8 +26,8 @@ double read_places_error(ShaderFunctions& shaders, const std::vector<ShaderInput
   const std::vector<glm::dvec2> found = read_places(shaders, calls);
   double worst = 0;
   for (std::size_t i = 0; i < calls.size(); ++i) {
-    const glm::dvec3 d(glm::vec3(calls[i][0]));
-    const glm::dvec2 half(glm::vec2(calls[i][1]));
+    const glm::dvec3 d{glm::vec3(calls[i][0])};
+    const glm::dvec2 half{glm::vec2(calls[i][1])};
     glm::dvec2 right(0);
     if (d.z < 0) {
       const glm::dvec2 place = glm::dvec2(d) / -d.z / half;
