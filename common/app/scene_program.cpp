@@ -112,12 +112,15 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   if (loaded_ == wanted && !is_model_file(scene)) return;  // a model file may have changed
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_with_notes(scene) : make_scene(step_.scenes, scene, settings);
-  walked_ = !is_model_file(scene);
   boxes_.clear();
   renderer_->configure(settings, {.chain_format = chain_format(description_, settings),
                                   .constants_as_varyings = settings.choice("draw.constants") == "varyings"});
   renderer_->prepare(scene_);
   loaded_ = std::move(wanted);
+}
+
+bool SceneProgram::is_walked() const {
+  return step_.walk && loaded_ && !is_model_file(loaded_->scene);
 }
 
 DepthFormat SceneProgram::depth_format(const Settings& settings) const {

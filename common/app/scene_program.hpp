@@ -45,7 +45,7 @@ class SceneProgram : public StepProgram {
   Camera camera() const override { return scene_.camera; }
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
-  bool is_walked(const Settings&) const override { return step_.walk && walked_; }
+  bool is_walked() const override;
   Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) const override {
     return step_.walk(walker, walking, seconds, settings);
   }
@@ -60,7 +60,6 @@ class SceneProgram : public StepProgram {
   SceneStep step_;
   StepDescription description_;
   Scene scene_;
-  bool walked_ = false;      ///< the scene is one of the table
   std::vector<Box3> boxes_;  ///< of the scene's nodes; computed when needed
   std::unique_ptr<Renderer> renderer_;
   /// What the loaded scene was made from. Cases often differ only in camera, size or output, and then it need not be

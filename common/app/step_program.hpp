@@ -84,7 +84,7 @@ class StepProgram {
   virtual void draw(const Frame& frame, const Settings& settings) = 0;
 
   /// Whether the window's controls walk through the loaded scene; otherwise they move the camera around its target.
-  virtual bool is_walked(const Settings&) const { return false; }
+  virtual bool is_walked() const { return false; }
 
   /// The visitor after `seconds`; called where is_walked. May change settings, such as the room where the visitor is.
   virtual Walker walk(const Walker& walker, const Walking&, double /*seconds*/, Settings&) const { return walker; }

@@ -76,13 +76,13 @@ Gesture interpret(Controls& controls, const Event& event) {
   return {};
 }
 
-#define OTHER_KEYS                            \
+#define OTHER_KEYS                                \
   "double click, R\tback to the scene's camera\n" \
-  "1 to 9\tanother scene\n"                      \
-  "Space\tstart or stop the animation\n"         \
-  "S\tsave the picture as PNG\n"                 \
-  "Tab\tshow or hide the panel\n"                \
-  "H\tthis help\n"                               \
+  "1 to 9\tanother scene\n"                       \
+  "Space\tstart or stop the animation\n"          \
+  "S\tsave the picture as PNG\n"                  \
+  "Tab\tshow or hide the panel\n"                 \
+  "H\tthis help\n"                                \
   "Esc\tquit\n"
 
 const char* const keys_help =

@@ -39,9 +39,9 @@ enum class Action { none, quit, help, panel, play, reset_camera, save, scene };
 /// The meaning of an event; most members are zero.
 struct Gesture {
   glm::dvec2 arrow{0};  ///< arrow keys: x to the right, y up
-  glm::dvec2 turn{0};  ///< orbit of the camera about its target, in window units of dragging: x to the right, y down
-  glm::dvec2 pan{0};   ///< of the picture, in the same units
-  double dolly = 0;    ///< steps towards the target
+  glm::dvec2 turn{0};   ///< orbit of the camera about its target, in window units of dragging: x to the right, y down
+  glm::dvec2 pan{0};    ///< of the picture, in the same units
+  double dolly = 0;     ///< steps towards the target
   Action action = Action::none;
   int number = 0;  ///< of the scene, from 1
 };

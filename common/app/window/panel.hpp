@@ -19,7 +19,7 @@ struct PanelState {
   bool visible = true;  ///< of the panel; messages are always visible
   bool help = false;
   const char* keys = keys_help;  ///< what the help says
-  std::string notice;  ///< one line that fades: "saved frame.png"
+  std::string notice;            ///< one line that fades: "saved frame.png"
 };
 
 class Panel {

@@ -53,7 +53,7 @@ class Viewer {
   void reset_camera();
 
   /// Whether the scene is walked through.
-  bool walked() const { return loaded_ && program_.is_walked(settings_); }
+  bool walked() const { return loaded_ && program_.is_walked(); }
 
   // The animation clock: stays at 0 s until it is started. A visitor in the air moves too.
   bool playing() const { return playing_; }

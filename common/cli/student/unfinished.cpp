@@ -50,8 +50,7 @@ std::string about_unfinished(const ProjectFolders& folders, const CourseStep& st
   const std::string number = first.substr(0, first.find('-'));
   std::string text = fmt::format(
       "{} uses earlier files of yours that do not pass in full: {}. What they get wrong costs points here too, so "
-      "these "
-      "points cannot judge your {} alone. ",
+      "these points cannot judge your {} alone. ",
       step.name, join(states), step.name);
   if (is_there(folders, first, Owner::solution)) return text + "Leave out --earlier mine to use the solution instead.";
   if (std::filesystem::exists(folders.case_file(first))) return text + fmt::format("First: ./atelier check {}", number);

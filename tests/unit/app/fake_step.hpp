@@ -115,7 +115,7 @@ class FakeStep : public SceneProgram {
     SceneProgram::draw(frame, settings);
   }
 
-  bool is_walked(const Settings&) const override { return walked; }
+  bool is_walked() const override { return walked; }
   /// Moves the eye along x; whoever is beyond x = 10 changes a setting. Turning is a jump.
   Walker walk(const Walker& before, const Walking& walking, double seconds, Settings& settings) const override {
     Walker walker = before;
