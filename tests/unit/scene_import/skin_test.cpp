@@ -184,7 +184,7 @@ struct RandomFigure {
 
   RandomFigure() {
     json& d = model.document;
-    d["nodes"] = {d["nodes"][0]};
+    d["nodes"] = json::array({d["nodes"][0]});  // braces alone are a copy for some compilers
     d["scenes"][0]["nodes"] = {0, 1};
     d["skins"][0]["joints"] = json::array();
     std::vector<float> inverse;
@@ -194,7 +194,7 @@ struct RandomFigure {
       const glm::dquat q = glm::normalize(glm::dquat(number(-1, 1), vector()));
       d["nodes"].push_back(
           {{"translation", {t.x, t.y, t.z}}, {"scale", {s.x, s.y, s.z}}, {"rotation", {q.x, q.y, q.z, q.w}}});
-      if (j + 1 < joints) d["nodes"].back()["children"] = {j + 2};
+      if (j + 1 < joints) d["nodes"].back()["children"] = json::array({j + 2});
       d["skins"][0]["joints"].push_back(j + 1);
       glm::dmat4 local = glm::mat4_cast(q);
       for (int c = 0; c < 3; ++c) local[c] *= s[c];
