@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <regex>
 #include <set>
@@ -172,25 +173,37 @@ class Packer {
     }
   }
 
-  /// With its pictures. A link to a handout that is not packed becomes plain text.
   void pack_handout(const CourseStep& step) {
-    const std::string path = "handouts/" + step.name + ".md";
-    if (!fs::exists(folders_.root / path)) return;
-    std::string text = read_file(folders_.root / path);
+    if (const std::string page = step.name; fs::exists(folders_.root / page_path(page))) pack_page(page);
+  }
+
+  static std::string page_path(const std::string& page) { return "handouts/" + page + ".md"; }
+
+  /// A page of the handouts, with its pictures and the pages that it links. A link to the handout of a step that is not
+  /// packed becomes plain text.
+  void pack_page(const std::string& page) {
+    std::string text = read_file(folders_.root / page_path(page));
+    put(page_path(page), "");  // pages may link each other
     static const std::regex picture(R"(\]\(((?:pictures|plots)/[A-Za-z0-9._-]+)\))");
     for (std::sregex_iterator it(text.begin(), text.end(), picture), end; it != end; ++it)
       take("handouts/" + (*it)[1].str());
-    static const std::regex link(R"(\[([^\]]*)\]\(([0-9][A-Za-z0-9-]*)\.md(#[^)]*)?\))");
+    static const std::regex link(R"(\[([^\]]*)\]\(([a-z0-9][A-Za-z0-9-]*)\.md(#[^)]*)?\))");
     std::string out;
     auto rest = text.cbegin();
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-      const bool there = std::any_of(with_earlier_.begin(), with_earlier_.end(),
-                                     [&](const CourseStep& s) { return s.name == (*it)[2].str(); });
       out.append(rest, (*it)[0].first);
-      out += there ? (*it)[0].str() : (*it)[1].str();
+      out += is_packed((*it)[2].str()) ? (*it)[0].str() : (*it)[1].str();
       rest = (*it)[0].second;
     }
-    put(path, out.append(rest, text.cend()));
+    put(page_path(page), out.append(rest, text.cend()));
+  }
+
+  /// Whether a page that another one links is in the release; packs it if it is not the handout of a step.
+  bool is_packed(const std::string& page) {
+    if (std::isdigit(static_cast<unsigned char>(page.front())))
+      return std::ranges::any_of(with_earlier_, [&](const CourseStep& step) { return step.name == page; });
+    if (!release_.files.contains(page_path(page))) pack_page(page);
+    return true;
   }
 
   void pack_cases(const CourseStep& step) {

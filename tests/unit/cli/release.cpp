@@ -68,6 +68,7 @@ struct Project {
                              "common/base/CMakeLists.txt",
                              "handouts/pictures/01-a.png",
                              "handouts/pictures/02-a.png",
+                             "handouts/pictures/frame.png",
                              "handouts/pictures/make.sh",
                              "handouts/plots/01-error.svg",
                              "handouts/plots/01-error.csv",
@@ -87,7 +88,10 @@ struct Project {
     write(".vscode/tasks.json", R"({"tasks": [{"label": "check"}, {"label": "test"}]})");
     write("handouts/README-release.md", "For students.");
     write("handouts/01-move.md", "![a](pictures/01-a.png), ![e](plots/01-error.svg), then [light](02-light.md#top).");
-    write("handouts/02-light.md", "![a](pictures/02-a.png), after [moving](01-move.md#top).");
+    write("handouts/02-light.md", "![a](pictures/02-a.png), after [moving](01-move.md#top), in [a frame](frame.md).");
+    write("handouts/frame.md",
+          "![f](pictures/frame.png) of [light](02-light.md), [moving](01-move.md), [paint](03-paint.md)");
+    write("handouts/unlinked.md", "a page that no handout links");
     write("solutions/01-move/move.cpp", marked(secret));
     write("solutions/01-move/move.glsl", "vec3 all_given();\n");
     write("solutions/02-light/light.glsl", marked(shader_secret));
@@ -160,7 +164,8 @@ const std::set<std::string> cases_files_of_move = {"tests/cases/01-move/hints.js
                                                    "tests/mistakes/01-move/mistakes.json"};
 const std::set<std::string> of_light = {
     "steps/02-light/given/main.cpp",   "handouts/02-light.md",
-    "handouts/pictures/02-a.png",      "skeletons/02-light/light.glsl",
+    "handouts/pictures/02-a.png",      "handouts/frame.md",
+    "handouts/pictures/frame.png",     "skeletons/02-light/light.glsl",
     "tests/cases/02-light/cases.json", "tests/cases/02-light/references/lit.values.json"};
 
 const std::set<std::string> stand_in_of_move = {"solutions/01-move/libstep.so", "solutions/01-move/move.glsl"};
@@ -205,6 +210,8 @@ TEST_CASE("a release contains exactly its list") {
     CHECK(names_of(release) == always + of_move + skeletons_of_move + of_light);
     CHECK(release.earlier == std::vector<std::string>{"01-move"});
     CHECK(mentions(release.files.at("handouts/02-light.md").bytes, {"[moving](01-move.md#top)"}));
+    CHECK(mentions(release.files.at("handouts/frame.md").bytes,
+                   {"of [light](02-light.md), [moving](01-move.md), paint"}));
   }
   SECTION("all") {
     const Release release = project.release(course);
