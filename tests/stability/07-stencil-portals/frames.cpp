@@ -1,23 +1,9 @@
 #include "stability/07-stencil-portals/frames.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace atelier::stability {
-
-namespace {
-
-/// A multiple of 1/1024 between -size and size.
-double dyadic(Trial& t, double size) {
-  return std::floor(t.between(-size, size) * 1024) / 1024;
-}
-
-}  // namespace
-
-double largest_of(const Exact& v) {
-  return double(std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}));
-}
 
 glm::dmat4 odd_frame(Trial& t, double distance) {
   const Exact z = glm::normalize(Exact(t.direction()));
@@ -30,11 +16,6 @@ glm::dmat4 odd_frame(Trial& t, double distance) {
   return {glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(distance * t.direction(), 1)};
 }
 
-glm::dvec3 dyadic_place(Trial& t, double size) {
-  const double x = dyadic(t, size), y = dyadic(t, size);
-  return {x, y, dyadic(t, size)};
-}
-
 glm::dmat4 quarter_frame(Trial& t, double size) {
   const int first = int(t.between(0, 3)), second = (first + (t.sign() > 0 ? 1 : 2)) % 3;
   glm::dvec3 x(0), y(0);
@@ -43,26 +24,10 @@ glm::dmat4 quarter_frame(Trial& t, double size) {
   return {glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(glm::cross(x, y), 0), glm::dvec4(dyadic_place(t, size), 1)};
 }
 
-Exact axis(const glm::dmat4& frame, int i) {
-  return Exact(glm::dvec3(frame[i]));
-}
-Exact origin(const glm::dmat4& frame) {
-  return Exact(glm::dvec3(frame[3]));
-}
-Exact at(const glm::dmat4& frame, const Exact& local) {
-  return origin(frame) + local.x * axis(frame, 0) + local.y * axis(frame, 1) + local.z * axis(frame, 2);
-}
 long double height_above(const glm::dmat4& frame, const Exact& p) {
   return glm::dot(axis(frame, 2), p - origin(frame));
 }
 
-Exact turned_through(const glm::dmat4& entry, const glm::dmat4& exit, const Exact& direction) {
-  return -glm::dot(axis(entry, 0), direction) * axis(exit, 0) + glm::dot(axis(entry, 1), direction) * axis(exit, 1) -
-         glm::dot(axis(entry, 2), direction) * axis(exit, 2);
-}
-Exact through(const glm::dmat4& entry, const glm::dmat4& exit, const Exact& p) {
-  return origin(exit) + turned_through(entry, exit, p - origin(entry));
-}
 Exact reflected(const glm::dmat4& mirror, const Exact& p) {
   return p - 2 * height_above(mirror, p) * axis(mirror, 2);
 }

@@ -5,10 +5,6 @@ namespace atelier::stability {
 
 using namespace stencil_portals;
 
-Bound metres(double size, const char* reason) {
-  return {16 * double_unit * size, "m", reason};
-}
-
 namespace {
 
 /// Adds rows for passages of any kind: make(trial, distance, quarters) is a passage with its exact map.

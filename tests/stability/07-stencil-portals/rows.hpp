@@ -26,12 +26,6 @@ void add_image_rows(Table& table);
 void add_body_rows(Table& table);
 void add_light_rows(Table& table, ShaderFunctions& shaders);
 
-inline constexpr double double_unit = 0x1p-53;  ///< what one rounding of a double may cost, relative to the result
-inline constexpr double million = 1e6;
-
-/// A few roundings of coordinates of this size, in metres.
-Bound metres(double size, const char* reason);
-
 inline constexpr const char* sums_of_products = "coordinates of that size through a matrix that is a product of three";
 
 using Map = std::function<Exact(const Exact&)>;
