@@ -20,6 +20,17 @@ vec2 lens_source(vec2 texcoord) {
 #endif
 }
 
+// Where a map is looked up that may be seen through the lens; false where the lens shows nothing of it.
+bool map_source(vec2 texcoord, out vec2 source) {
+#ifdef BEHIND_LENS
+  source = lens_source(texcoord);
+  return in_picture(source);
+#else
+  source = texcoord;
+  return true;
+#endif
+}
+
 // ---- Surfaces
 
 #ifdef SURFACES
@@ -27,13 +38,11 @@ uniform vec3 u_eye_of_view, u_ahead;
 
 // The normal and 1/depth in a pixel, all 0 where nothing is seen.
 vec4 surface_at(vec2 texcoord) {
-#ifdef BEHIND_LENS
-  texcoord = lens_source(texcoord);
-  if (!in_picture(texcoord)) return vec4(0.0);
-#endif
-  vec3 code = texture(u_normal, texcoord).rgb;
+  vec2 source;
+  if (!map_source(texcoord, source)) return vec4(0.0);
+  vec3 code = texture(u_normal, source).rgb;
   if (code == vec3(0.0)) return vec4(0.0);
-  float depth = dot(texture(u_position, texcoord).rgb - u_eye_of_view, u_ahead);
+  float depth = dot(texture(u_position, source).rgb - u_eye_of_view, u_ahead);
   return vec4(normalize(2.0 * code - 1.0), 1.0 / depth);
 }
 
@@ -132,11 +141,8 @@ mat2 lens_jacobian(vec2 texcoord) {
 }
 
 vec4 relief_pass(vec2 texcoord) {
-  vec2 source = texcoord;
-#ifdef BEHIND_LENS
-  source = lens_source(texcoord);
-  if (!in_picture(source)) return vec4(0.0, 0.0, 0.0, 1.0);
-#endif
+  vec2 source;
+  if (!map_source(texcoord, source)) return vec4(0.0, 0.0, 0.0, 1.0);
   vec3 code = texture(u_normal, source).rgb;
   if (code == vec3(0.0)) return vec4(0.0, 0.0, 0.0, 1.0);
   vec3 normal = u_world_to_view * (2.0 * code - 1.0);
