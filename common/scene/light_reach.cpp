@@ -63,23 +63,31 @@ Box3 box_of_drawn(const Scene& scene) {
   return all;
 }
 
-std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box) {
+std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box,
+                                    std::span<const int> among) {
   std::vector<glm::dvec3> gives;
   for (const Light& light : lights) gives.push_back(most_arriving(light, box) * given_back * rounding);
-  std::vector<int> order(lights.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return largest(gives[std::size_t(a)]) < largest(gives[std::size_t(b)]); });
-
+  const auto gift = [&](int light) { return gives[std::size_t(light)]; };
   glm::dvec3 left_out(0);
+  for (int i = 0; i < int(lights.size()); ++i)
+    if (!std::ranges::binary_search(among, i)) left_out += gift(i);
+  std::vector<int> order(among.begin(), among.end());
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return largest(gift(a)) < largest(gift(b)); });
+
   std::size_t first_kept = 0;
   for (; first_kept < order.size(); ++first_kept) {
-    left_out += gives[std::size_t(order[first_kept])];
+    left_out += gift(order[first_kept]);
     if (!(largest(left_out) < least_visible_light)) break;
   }
   std::vector<int> kept(order.begin() + std::ptrdiff_t(first_kept), order.end());
   std::sort(kept.begin(), kept.end());
   return kept;
+}
+
+std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box) {
+  std::vector<int> all(lights.size());
+  std::iota(all.begin(), all.end(), 0);
+  return lights_that_matter(lights, given_back, box, all);
 }
 
 }  // namespace atelier

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "scene/scene.hpp"
@@ -31,5 +32,10 @@ Box3 box_of_drawn(const Scene& scene);
 /// lights add up.) The weakest lights are left out first; a light of colour 0 always is. For a scene, `box` is its
 /// `box_of_drawn`.
 std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box);
+
+/// Of the lights `among`, those that must be drawn in a part of the scene, such as on one node: the other ones of
+/// `lights` have been left out already, and what they give in this box counts. `among` is in ascending order.
+std::vector<int> lights_that_matter(const std::vector<Light>& lights, const glm::dvec3& given_back, const Box3& box,
+                                    std::span<const int> among);
 
 }  // namespace atelier

@@ -57,6 +57,26 @@ DirectionalLight directional_lights_there[DIRECTIONAL_LIGHTS];
 #endif
 #endif
 
+// Whether a light shines on this surface at all: those that are too weak to be seen on it are left out.
+#ifdef POINT_LIGHTS_HERE
+const int point_lights_here[POINT_LIGHTS] = int[](POINT_LIGHTS_HERE);
+bool point_light_is_here(int light) { return point_lights_here[light] != 0; }
+#else
+bool point_light_is_here(int light) { return true; }
+#endif
+#ifdef SPOT_LIGHTS_HERE
+const int spot_lights_here[SPOT_LIGHTS] = int[](SPOT_LIGHTS_HERE);
+bool spot_light_is_here(int light) { return spot_lights_here[light] != 0; }
+#else
+bool spot_light_is_here(int light) { return true; }
+#endif
+#ifdef DIRECTIONAL_LIGHTS_HERE
+const int directional_lights_here[DIRECTIONAL_LIGHTS] = int[](DIRECTIONAL_LIGHTS_HERE);
+bool directional_light_is_here(int light) { return directional_lights_here[light] != 0; }
+#else
+bool directional_light_is_here(int light) { return true; }
+#endif
+
 // The visibility of each light at the shaded point: the fraction of its light that arrives, 0 to 1; 1 if the program
 // uses no shadows. The argument is the light's index in its array. The values are computed before `shade` is called, so
 // these functions may be called anywhere, also in branches.
@@ -76,7 +96,7 @@ float visible_from_point(int light) {
 #if defined(VISIBILITY) && POINT_LIGHTS > 0
   return point_visibility[light];
 #else
-  return 1.0;
+  return point_light_is_here(light) ? 1.0 : 0.0;
 #endif
 }
 
@@ -84,7 +104,7 @@ float visible_from_spot(int light) {
 #if defined(VISIBILITY) && SPOT_LIGHTS > 0
   return spot_visibility[light];
 #else
-  return 1.0;
+  return spot_light_is_here(light) ? 1.0 : 0.0;
 #endif
 }
 
@@ -92,7 +112,7 @@ float visible_from_directional(int light) {
 #if defined(VISIBILITY) && DIRECTIONAL_LIGHTS > 0
   return directional_visibility[light];
 #else
-  return 1.0;
+  return directional_light_is_here(light) ? 1.0 : 0.0;
 #endif
 }
 

@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
 #include "02-blinn-phong/given/scene_texture.hpp"
@@ -11,6 +13,7 @@
 #include "gl/compact_texture.hpp"
 #include "gl/debug.hpp"
 #include "image/colour.hpp"
+#include "scene/depth_range.hpp"
 #include "scene/light_reach.hpp"
 
 namespace atelier {
@@ -84,6 +87,12 @@ std::vector<SettingSpec> lit_surface_settings() {
   };
 }
 
+std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number) {
+  std::string list;
+  for (const int light : lights) list += fmt::format("{}{}", list.empty() ? "" : ", ", number(light));
+  return list;
+}
+
 void LitSurface::configure(const Settings& settings) {
   // Programs with shadows do not have this setting, since shadows need per-pixel lighting.
   per_vertex_ = settings.has("shading") && settings.choice("shading") == "vertex";
@@ -109,26 +118,76 @@ void LitSurface::choose_lights(const Scene& scene) {
     shining.push_back(i);
     lights.push_back(light);
   }
-  std::vector<int> kept = shining;
+  std::vector<int> kept(shining.size());
+  std::iota(kept.begin(), kept.end(), 0);
+  lights_.together = {kept};
+  set_of_node_.assign(scene.nodes.size(), 0);
   if (cull_lights_) {
-    const auto lobe = [&](double exponent) { return peak(normalisation_, exponent); };
-    kept.clear();
-    for (const int i : lights_that_matter(lights, most_given_back(scene.materials, lobe), box_of_drawn(scene)))
-      kept.push_back(shining[std::size_t(i)]);
+    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe()), box_of_drawn(scene));
+    choose_for_nodes(scene, lights, kept);
   }
+  for (std::vector<int>& set : lights_.together)
+    for (int& i : set) i = shining[std::size_t(i)];
   for (auto* list : {&lights_.points, &lights_.spots, &lights_.directional}) list->clear();
   for (const int i : kept) {
-    const LightType type = lights_.light(i).type;
+    const int number = shining[std::size_t(i)];
+    const LightType type = lights_.light(number).type;
     (type == LightType::point  ? lights_.points
      : type == LightType::spot ? lights_.spots
                                : lights_.directional)
-        .push_back(i);
+        .push_back(number);
   }
   lights_left_out_ = int(shining.size() - kept.size());
+  find_reach(scene);
+}
+
+/// Each set of lights needs programs of its own: where there are many sets, each node has all lights that are kept.
+void LitSurface::choose_for_nodes(const Scene& scene, const std::vector<Light>& lights, const std::vector<int>& kept) {
+  constexpr std::size_t most_sets = 4;
+  lights_.together = {kept};
+  const std::vector<Box3> boxes = node_boxes(scene);
+  std::vector<std::vector<int>> sets;
+  std::vector<int> set_of_node(scene.nodes.size(), 0);
+  for (std::size_t i = 0; i < scene.nodes.size() && sets.size() <= most_sets; ++i) {
+    if (boxes[i].empty()) continue;
+    const Material& material = scene.materials[std::size_t(scene.nodes[i].material)];
+    const std::vector<int> here = lights_that_matter(lights, most_given_back({material}, lobe()), boxes[i], kept);
+    const auto found = std::ranges::find(sets, here);
+    set_of_node[i] = int(found - sets.begin());
+    if (found == sets.end()) sets.push_back(here);
+  }
+  if (sets.empty() || sets.size() > most_sets) return;
+  lights_.together = std::move(sets);
+  set_of_node_ = std::move(set_of_node);
+}
+
+void LitSurface::find_reach(const Scene& scene) {
+  lights_.reach.assign(lights_.all.size(), std::numeric_limits<double>::infinity());
+  if (lights_.together.size() < 2) return;
+  const std::vector<Box3> boxes = node_boxes(scene);
+  for (const int i : lights_.points) {
+    double& reach = lights_.reach[std::size_t(i)] = 0;
+    for (std::size_t node = 0; node < boxes.size(); ++node) {
+      if (boxes[node].empty() || !shines_on(i, node)) continue;
+      const glm::dvec3 from = lights_.light(i).position;
+      reach =
+          std::max(reach, glm::length(glm::max(glm::abs(boxes[node].low - from), glm::abs(boxes[node].high - from))));
+    }
+  }
+}
+
+bool LitSurface::shines_on(int light, std::size_t node) const {
+  return std::ranges::binary_search(lights_.together[std::size_t(set_of_node_[node])], light);
+}
+
+std::function<double(double)> LitSurface::lobe() const {
+  return [this](double exponent) { return peak(normalisation_, exponent); };
 }
 
 void LitSurface::count(SceneCounts& counts) const {
-  counts.lights += std::int64_t(lights_.points.size() + lights_.spots.size() + lights_.directional.size());
+  std::size_t most = 0;
+  for (const std::vector<int>& set : lights_.together) most = std::max(most, set.size());
+  counts.lights += std::int64_t(most);
   counts.lights_culled += lights_left_out_;
 }
 
@@ -162,6 +221,13 @@ Need LitSurface::need(const Scene& scene, const View& view, const Node& node) co
   d["POINT_LIGHTS"] = std::to_string(lights_.points.size());
   d["SPOT_LIGHTS"] = std::to_string(lights_.spots.size());
   d["DIRECTIONAL_LIGHTS"] = std::to_string(lights_.directional.size());
+  const auto node_index = std::size_t(&node - scene.nodes.data());
+  for (const auto& [name, list] : {std::pair("POINT_LIGHTS_HERE", &lights_.points),
+                                   {"SPOT_LIGHTS_HERE", &lights_.spots},
+                                   {"DIRECTIONAL_LIGHTS_HERE", &lights_.directional}}) {
+    const auto here = [&](int light) { return shines_on(light, node_index); };
+    if (!std::ranges::all_of(*list, here)) d[name] = glsl_list(*list, here);
+  }
   if (has_specular(material)) {
     d["SPECULAR"] = "1";
     d["NORMALISATION"] = std::to_string(normalisation_);

@@ -1,7 +1,11 @@
 // The lit surface, as a feature of the renderer; later steps build on it. Given.
 #pragma once
 
+#include <functional>
+#include <map>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "render/feature.hpp"
 
@@ -17,8 +21,15 @@ std::vector<SettingSpec> lit_surface_settings();
 struct DrawnLights {
   std::span<const Light> all;  ///< the scene's, and those that features have added
   std::vector<int> points, spots, directional;
+  /// The sets of lights that are summed for a point, each on other nodes.
+  std::vector<std::vector<int>> together;
+  /// By light: the distance of the farthest point that it shines on, metres; infinite if it shines everywhere.
+  std::vector<double> reach;
   const Light& light(int number) const { return all[std::size_t(number)]; }
 };
+
+/// A number for each of these lights, such as the index of its shadow map, as a GLSL list: "0, -1, 1".
+std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
 
 class LitSurface : public Feature {
  public:
@@ -39,6 +50,10 @@ class LitSurface : public Feature {
  private:
   enum class Power { direct, stable, table };
   void choose_lights(const Scene& scene);
+  void choose_for_nodes(const Scene& scene, const std::vector<Light>& lights, const std::vector<int>& kept);
+  void find_reach(const Scene& scene);
+  bool shines_on(int light, std::size_t node) const;
+  std::function<double(double)> lobe() const;  ///< the height of a highlight's lobe, for an exponent
   GLuint power_table_for(float exponent);
 
   bool per_vertex_ = false, decode_after_filter_ = false, compact_textures_ = false, cull_lights_ = true;
@@ -49,6 +64,7 @@ class LitSurface : public Feature {
   Gl* gl_ = nullptr;
   DrawnLights lights_;
   int lights_left_out_ = 0;
+  std::vector<int> set_of_node_;             ///< index into DrawnLights::together
   std::vector<GlTexture> textures_;          ///< by index in the scene; empty if no material uses it
   std::map<float, GlTexture> power_tables_;  ///< by exponent
 };

@@ -54,16 +54,24 @@ void find_visibility(vec3 position, vec3 normal) {
   vec3 n = dot(normal, normal) > 0.0 ? normalize(normal) : vec3(0.0);
 #if POINT_LIGHTS > 0
   for (int i = 0; i < POINT_LIGHTS; ++i)
-    point_visibility[i] = visibility_of_point_light(i, position, n, unit_way(position, u_point_lights[i].position));
+    point_visibility[i] =
+        point_light_is_here(i)
+            ? visibility_of_point_light(i, position, n, unit_way(position, u_point_lights[i].position))
+            : 0.0;
 #endif
 #if SPOT_LIGHTS > 0
   for (int i = 0; i < SPOT_LIGHTS; ++i)
-    spot_visibility[i] = visibility_of_spot_light(i, position, n, unit_way(position, u_spot_lights[i].position));
+    spot_visibility[i] =
+        spot_light_is_here(i)
+            ? visibility_of_spot_light(i, position, n, unit_way(position, u_spot_lights[i].position))
+            : 0.0;
 #endif
 #if DIRECTIONAL_LIGHTS > 0
   for (int i = 0; i < DIRECTIONAL_LIGHTS; ++i)
     directional_visibility[i] =
-        visibility_of_directional_light(i, position, n, -u_directional_lights[i].direction);
+        directional_light_is_here(i)
+            ? visibility_of_directional_light(i, position, n, -u_directional_lights[i].direction)
+            : 0.0;
 #endif
 }
 #endif

@@ -281,12 +281,6 @@ int FrameMaps::layer_of(int light) const {
   return -1;
 }
 
-std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number) {
-  std::string list;
-  for (const int light : lights) list += fmt::format("{}{}", list.empty() ? "" : ", ", number(light));
-  return list;
-}
-
 bool ShadowedSurface::directional_projections_are_affine() const {
   return std::all_of(frame_.maps.begin(), frame_.maps.end(), [](const MappedLight& map) {
     return !map.frustum.orthographic || glm::row(map.world_to_map(), 3) == glm::vec4(0, 0, 0, 1);

@@ -17,9 +17,6 @@
 
 namespace atelier {
 
-/// The indices of these lights' maps or cubes as a GLSL list: "0, -1, 1".
-std::string glsl_list(std::span<const int> lights, const std::function<int(int)>& number);
-
 /// "shadow map of light 0 (sun)": for debug groups and labels.
 std::string name_of(const DrawnLights& lights, int light, std::string_view what);
 

@@ -54,6 +54,15 @@ double farthest_corner(const ScenePainter::Item& item, const glm::dvec3& from) {
   return farthest;
 }
 
+/// Whether all of an item is farther away than this: beyond its box's bounding sphere at least.
+bool beyond(const ScenePainter::Item& item, const glm::dvec3& from, double reach) {
+  const auto corners = corners_of(item);
+  const glm::dvec3 centre = (glm::dvec3(corners.front()) + glm::dvec3(corners.back())) / 2.0;
+  double radius = 0;
+  for (const glm::dvec3& corner : corners) radius = std::max(radius, glm::distance(corner, centre));
+  return glm::distance(centre, from) - radius > reach;
+}
+
 }  // namespace
 
 /// Whether any visible receiver samples a face.
@@ -78,6 +87,7 @@ std::optional<PointShadowedSurface::Cubed> PointShadowedSurface::cube_for(const 
   for (int i = 0; i < int(painter.items().size()); ++i) {
     const ScenePainter::Item& item = painter.items()[std::size_t(i)];
     if (!casts(scene, item) || item.box.empty()) continue;
+    if (beyond(item, glm::dvec3(cube.position), lights_.reach[std::size_t(light)])) continue;  // shadows nothing lit
     cube.casters.push_back(i);
     far = std::max(far, farthest_corner(item, glm::dvec3(cube.position)));
   }
@@ -302,8 +312,11 @@ void PointShadowedSurface::bind_view(Binder& binder, const Scene&, const Viewpoi
 }
 
 void PointShadowedSurface::count(SceneCounts& counts) const {
-  for (const Cubed& cube : cubes_)
-    if (shown_ && cube_of(cube.light) >= 0) counts.lookups += lookups_in_a_map(settings_);
+  if (!shown_) return;
+  std::int64_t most = 0;
+  for (const std::vector<int>& lights : lights_.together)
+    most = std::max<std::int64_t>(most, std::ranges::count_if(lights, [&](int light) { return cube_of(light) >= 0; }));
+  counts.lookups += most * lookups_in_a_map(settings_);
 }
 
 }  // namespace atelier

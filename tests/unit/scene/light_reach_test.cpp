@@ -140,6 +140,19 @@ TEST_CASE("a light is tested against the surface including rounding errors", "[l
   CHECK(box_of_drawn({}).empty());
 }
 
+TEST_CASE("in a part of a scene, what the scene leaves out counts", "[light_reach]") {
+  const std::vector<Light> lights = {light_of(0.5), light_of(5), light_of(0.3), light_of(0.4)};
+  // 0.3 and 0.4 together are invisible, and the 0.5 is one too many.
+  const std::vector<int> everywhere = kept(lights);
+  CHECK(everywhere == std::vector<int>{0, 1});
+  const auto on = [&](const Box3& box) { return lights_that_matter(lights, glm::dvec3(1), box, everywhere); };
+  CHECK(on(unit_box()) == everywhere);
+  Box3 far;  // from 110 m on, where all give a hundredth and less
+  far.add({-101, -1, -1}), far.add({-99, 1, 1});
+  CHECK(on(far).empty());
+  CHECK(lights_that_matter(lights, glm::dvec3(20), far, everywhere) == std::vector<int>{1});
+}
+
 TEST_CASE("no point, normal or eye position in the box sees a culled light", "[light_reach]") {
   std::mt19937 random(4);
   const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
