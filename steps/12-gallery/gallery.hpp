@@ -1,10 +1,11 @@
-// 12-gallery: the contract of gallery.cpp: a round hall whose paintings are doors, a visitor who walks through them, and
-// pictures of the rooms behind them that are drawn again only when they must be. You also write a line of choices.txt.
+// 12-gallery: the contract of gallery.cpp: a round hall whose paintings are doors, a visitor who walks through them,
+// and pictures of the rooms behind them that are drawn again only when they must be. You also write a line of
+// choices.txt.
 //
-// World space: metres, +y up, floors at y = 0. All frames stand upright. A painting is the rectangle |x| <= half_size.x,
-// |y| <= half_size.y in the plane z = 0 of its frame; +z faces the side from which it is seen. Each painting leads to an
-// exit, another such frame, as the portals of step 07 do: who goes in along -z of the one comes out along +z of the
-// other.
+// World space: metres, +y up, floors at y = 0. All frames stand upright. A painting is the rectangle |x| <=
+// half_size.x, |y| <= half_size.y in the plane z = 0 of its frame; +z faces the side from which it is seen. Each
+// painting leads to an exit, another such frame, as the portals of step 07 do: who goes in along -z of the one comes
+// out along +z of the other.
 #pragma once
 
 #include <array>
@@ -24,10 +25,9 @@ namespace atelier::gallery {
 
 /// The wall of a round hall, seen from inside: `segments` (3 or more) flat sides of equal width, whose corners stand on
 /// the circle of this radius around the y axis, from y = 0 to y = height. One corner stands at +z, where the wall ends
-/// without a gap. Front faces are
-/// counter-clockwise from inside; normals are of unit length, and those of the circle. The texture runs `repeat` times
-/// around, u from 0 at +z to `repeat` at +z again, so that it is not mirrored from inside; v is 0 at the floor and 1 at
-/// the top. Any triangles will do. Handout, section 1.
+/// without a gap. Front faces are counter-clockwise from inside; normals are of unit length, and those of the circle.
+/// The texture runs `repeat` times around, u from 0 at +z to `repeat` at +z again, so that it is not mirrored from
+/// inside; v is 0 at the floor and 1 at the top. Any triangles will do. Handout, section 1.
 /// Four segments, radius 2: corners at (0, y, 2), (-2, y, 0), (0, y, -2), (2, y, 0), in the order of u.
 Mesh hall_wall(int segments, float radius, float height, float repeat);
 

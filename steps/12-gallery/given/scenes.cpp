@@ -82,23 +82,26 @@ int add_painting(Scene& scene, int number, const glm::dmat4& frame, int carved) 
                                             .normal_texture = texture(" normal", {0.502f, 0.5f, 1.0f}),
                                             .height_texture = texture(" height", {0.998f, 0.998f, 0.998f})});
   const int place = add_node(scene, {.name = name + " place", .translation = glm::dvec3(frame[3])});
-  const int node = add_node(scene, {.name = name + " frame", .parent = place, .matrix = glm::mat4(glm::dmat4(glm::dmat3(frame)))});
-  const int opening = add_object(scene, canvas(), material, {.name = name, .parent = node, .casts_shadow = false});  // on its own relief
+  const int node =
+      add_node(scene, {.name = name + " frame", .parent = place, .matrix = glm::mat4(glm::dmat4(glm::dmat3(frame)))});
+  const int opening = add_object(scene, canvas(), material,
+                                 {.name = name, .parent = node, .casts_shadow = false});  // on its own relief
   add_frame(scene, node, carved);
   return opening;
 }
 
 void add_hall(Scene& scene, const HallParts& hall) {
-  const int paper = add_texture(scene, "wallpaper",
-                                make_dots({.size = 256,
-                                           .dots = 8,
-                                           .radius = 0.2f,
-                                           .dot = {0.55f, 0.4f, 0.22f},
-                                           .ground = {0.62f, 0.56f, 0.46f}}));
+  const int paper = add_texture(
+      scene, "wallpaper",
+      make_dots(
+          {.size = 256, .dots = 8, .radius = 0.2f, .dot = {0.55f, 0.4f, 0.22f}, .ground = {0.62f, 0.56f, 0.46f}}));
   const int marble = add_texture(scene, "marble", make_marble({.size = 256, .bands = 3}));
   const int wall = add_material(scene, {.name = "wallpaper", .diffuse = glm::vec3(1), .diffuse_texture = paper});
-  const int floor = add_material(
-      scene, {.name = "marble", .diffuse = {0.4f, 0.36f, 0.32f}, .specular = glm::vec3(0.2f), .exponent = 60, .diffuse_texture = marble});
+  const int floor = add_material(scene, {.name = "marble",
+                                         .diffuse = {0.4f, 0.36f, 0.32f},
+                                         .specular = glm::vec3(0.2f),
+                                         .exponent = 60,
+                                         .diffuse_texture = marble});
   const int plaster = add_material(scene, {.name = "plaster", .diffuse = {0.5f, 0.48f, 0.44f}});
   const int stone = add_material(scene, plastic("stone", {0.6f, 0.58f, 0.55f}, 20));
   const int brass = add_material(scene, metal("brass", gold_reflectance, 50));
@@ -107,9 +110,11 @@ void add_hall(Scene& scene, const HallParts& hall) {
   // Floor and ceiling are plain rectangles: the wall hides what stands out.
   add_object(scene, hall.wall, wall, {.name = "wall"});
   add_object(scene, make_plane({.width = side, .depth = side, .repeat = {6, 6}}), floor, {.name = "floor"});
-  add_object(
-      scene, make_plane({.width = side, .depth = side}), plaster,
-      {.name = "ceiling", .translation = {0, hall_height, 0}, .rotation_axis = {1, 0, 0}, .rotation_angle = degrees(180)});
+  add_object(scene, make_plane({.width = side, .depth = side}), plaster,
+             {.name = "ceiling",
+              .translation = {0, hall_height, 0},
+              .rotation_axis = {1, 0, 0},
+              .rotation_angle = degrees(180)});
   add_object(scene, make_box({.size = {1.8f, 0.42f, 0.5f}}), stone,
              {.name = "bench", .translation = {0.4, 0.21, 0.9}, .rotation_angle = degrees(20)});
   for (const double turn : {30.0, 150.0, 270.0}) {
@@ -125,7 +130,8 @@ void add_hall(Scene& scene, const HallParts& hall) {
              {.name = "bulb", .translation = lamp, .casts_shadow = false, .receives_shadow = false});
   add_object(scene, make_cylinder({.radius = 0.015f, .height = 0.6f, .segments = 12}), brass,
              {.name = "rod", .translation = lamp, .casts_shadow = false});
-  add_light(scene, {.name = "lamp of the hall", .position = lamp, .colour = {2.1f, 2, 1.8f}, .attenuation = {1, 0, 0.04f}});
+  add_light(scene,
+            {.name = "lamp of the hall", .position = lamp, .colour = {2.1f, 2, 1.8f}, .attenuation = {1, 0, 0.04f}});
 }
 
 }  // namespace
@@ -154,7 +160,8 @@ Scene gallery_with(const HallParts& hall, const Settings& settings) {
   if (room < 0)
     scene.camera = {.eye = {0.6, 1.7, 3.4}, .target = {-0.2, 1.5, -4}};
   else
-    scene.camera = {.eye = bedroom_centre + glm::dvec3(0.2, 1.7, 2.5), .target = bedroom_centre + glm::dvec3(0, 1.1, -2)};
+    scene.camera = {.eye = bedroom_centre + glm::dvec3(0.2, 1.7, 2.5),
+                    .target = bedroom_centre + glm::dvec3(0, 1.1, -2)};
   scene.camera.fov_y = degrees(62);
   scene.camera.near = 0.05f;
   scene.camera.far = 20;

@@ -128,7 +128,10 @@ void add_bedroom(Scene& scene) {
   Furniture side_door(scene, "side door", {-2.46, 0, -0.1}, 90);
   side_door.box(door, {0.9f, 2.1f, 0.06f}, {0, 0, 0});
   side_door.box(wood, {0.06f, 0.06f, 0.12f}, {0.35, 1, 0.04});
-  add_light(scene, {.name = "lamp of the bedroom", .position = middle + glm::dvec3(0.2, 2.6, 0.6), .colour = {1.7f, 1.62f, 1.4f}, .attenuation = {1, 0, 0.1f}});
+  add_light(scene, {.name = "lamp of the bedroom",
+                    .position = middle + glm::dvec3(0.2, 2.6, 0.6),
+                    .colour = {1.7f, 1.62f, 1.4f},
+                    .attenuation = {1, 0, 0.1f}});
 }
 
 }  // namespace atelier

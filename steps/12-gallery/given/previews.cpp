@@ -21,6 +21,10 @@ std::vector<SettingSpec> preview_settings() {
        .low = 0,
        .high = paintings_in_hall + 1,
        .help = "how many previews a frame records at most"},
+      {.name = "preview.update",
+       .fallback = std::string("when-moved"),
+       .choices = {"always", "when-moved"},
+       .help = "whether rooms count as new in every frame, or only after something has moved or a setting has changed"},
       {.name = "preview.relief",
        .fallback = true,
        .help = "record normals and heights too, so that paintings have a relief"},
@@ -40,6 +44,7 @@ void Previews::configure(const Settings& settings) {
   size_ = settings.integer("preview.size");
   most_ = settings.integer("preview.most");
   relief_ = settings.flag("preview.relief");
+  always_ = settings.choice("preview.update") == "always";
   ++version_;  // whatever has changed, the rooms may look different
 }
 
@@ -140,12 +145,12 @@ void Previews::record(Gl& gl, Painting& painting, const Viewpoint& viewpoint, bo
 
 void Previews::draw_views(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
   const DebugGroup group(gl, "previews");
+  if (always_) ++version_;
   std::vector<gallery::PreviewState> states;
   for (Painting& painting : paintings_) {
     ++painting.state.frames_since;
     painting.state.version = version_;
-    painting.state.visible =
-        painting.material >= 0 && !painting.portal && in_view(painting, viewpoint);
+    painting.state.visible = painting.material >= 0 && !painting.portal && in_view(painting, viewpoint);
     states.push_back(painting.state);
   }
   const std::vector<int> wanted = gallery::previews_to_record(states, most_);

@@ -2,14 +2,6 @@
 #include "stability/12-gallery/rows.hpp"
 #include "stability/entry.hpp"
 
-namespace atelier::stability {
-
-Bound metres(double size, const char* reason) {
-  return {16 * double_unit * size, "m", reason};
-}
-
-}  // namespace atelier::stability
-
 // make_preview and record only tell OpenGL what to do: cases read the textures and their mipmaps back.
 void atelier_stability_table(atelier::stability::Table& table, atelier::stability::ShaderFunctions&) {
   using namespace atelier::stability;

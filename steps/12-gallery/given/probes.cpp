@@ -98,8 +98,8 @@ Numbers probe_walk(ProbeContext&, const Arguments& in) {
 // ---- Previews
 
 Numbers probe_preview_camera(ProbeContext&, const Arguments& in) {
-  const Camera camera = preview_camera(in.mat4("exit"), in.vec2("half_size"), in.number("distance"),
-                                       float(in.number("far")));
+  const Camera camera =
+      preview_camera(in.mat4("exit"), in.vec2("half_size"), in.number("distance"), float(in.number("far")));
   Numbers out = atelier::numbers_of(camera.eye);
   append(out, atelier::numbers_of(glm::normalize(camera.target - camera.eye)));
   append(out, atelier::numbers_of(glm::normalize(glm::dvec3(camera.up))));
@@ -142,8 +142,9 @@ Numbers probe_make_preview(ProbeContext& context, const Arguments& in) {
   for (const GLuint texture : preview.textures) {
     if (!texture) return Numbers(45, 0);
     gl.BindTexture(GL_TEXTURE_2D, texture);
-    append(out, texture_parameters(gl, GL_TEXTURE_2D, {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S,
-                                                       GL_TEXTURE_WRAP_T}));
+    append(out,
+           texture_parameters(gl, GL_TEXTURE_2D,
+                              {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}));
     level(0);
     level(last);
     level(last + 1);
@@ -156,9 +157,7 @@ Numbers probe_make_preview(ProbeContext& context, const Arguments& in) {
     gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
     if (type == GL_TEXTURE)
       gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
-    out.push_back(type == GL_NONE                       ? 0
-                  : GLuint(name) == preview.textures[0] ? 1
-                                                        : 2);
+    out.push_back(type == GL_NONE ? 0 : GLuint(name) == preview.textures[0] ? 1 : 2);
   }
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   return out;
@@ -174,7 +173,8 @@ Preview plain_preview(Gl& gl) {
     gl.BindTexture(GL_TEXTURE_2D, texture);
     for (int level = 0; tiny >> level > 0; ++level) {
       const std::vector<float> pixels(std::size_t(tiny >> level) * std::size_t(tiny >> level) * 4, 0.5f);
-      gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, tiny >> level, tiny >> level, 0, GL_RGBA, GL_FLOAT, pixels.data());
+      gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, tiny >> level, tiny >> level, 0, GL_RGBA, GL_FLOAT,
+                    pixels.data());
     }
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   }

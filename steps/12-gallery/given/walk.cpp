@@ -16,10 +16,10 @@ std::vector<SettingSpec> walk_settings() {
 
 namespace {
 
-constexpr double tick = 1.0 / 60;          // seconds
-constexpr double eye_above_centre = 0.725;  // metres
-constexpr double clearance = 0.05;         // metres, between a visitor who has come out and the painting's plane
-constexpr double jump = 2;                 // m/s
+constexpr double tick = 1.0 / 60;            // seconds
+constexpr double eye_above_centre = 0.725;   // metres
+constexpr double clearance = 0.05;           // metres, between a visitor who has come out and the painting's plane
+constexpr double jump = 2;                   // m/s
 constexpr double pace = 1.6, turning = 2.5;  // m/s and radians/s, of the script
 
 glm::dvec3 ahead_of(double heading) {

@@ -22,10 +22,4 @@ void add_camera_rows(Table& table);
 void add_schedule_rows(Table& table);
 void add_style_rows(Table& table);
 
-inline constexpr double double_unit = 0x1p-53;  ///< what one rounding of a double may cost, relative to the result
-inline constexpr double million = 1e6;
-
-/// A few roundings of coordinates of this size, in metres.
-Bound metres(double size, const char* reason);
-
 }  // namespace atelier::stability

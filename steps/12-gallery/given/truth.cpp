@@ -134,8 +134,8 @@ class Studio {
   void hang(int painting, int room, int exit) {
     Node& node = truth_.scene.nodes[node_of(painting)];
     const glm::dmat4& frame = world_[node_of(painting)];
-    const bool portal = std::ranges::any_of(
-        truth_.scene.portals, [&](const Portal& p) { return std::size_t(p.node) == node_of(painting); });
+    const bool portal = std::ranges::any_of(truth_.scene.portals,
+                                            [&](const Portal& p) { return std::size_t(p.node) == node_of(painting); });
     if (portal || !may_be_in_view(frame)) return;
     const Camera camera = exact_preview_camera(world_[node_of(exit)]);
     const Material& material = truth_.scene.materials[std::size_t(node.material)];
@@ -149,8 +149,8 @@ class Studio {
     if (settings_.choice("parallax.method") == "none" || settings_.real("parallax.depth") == 0) return;
     // A plane that lies on the floor is turned up to stand in the frame.
     Node plane = node;
-    plane.mesh = add_mesh(truth_.scene, make_plane({.width = float(2 * painting_half_size.x),
-                                                    .depth = float(2 * painting_half_size.y)}));
+    plane.mesh = add_mesh(
+        truth_.scene, make_plane({.width = float(2 * painting_half_size.x), .depth = float(2 * painting_half_size.y)}));
     const glm::dmat4 upright = glm::rotate(glm::dmat4(1), glm::half_pi<double>(), glm::dvec3(1, 0, 0));
     truth_.shapes.push_back(relief_shape(truth_.scene, plane, frame * upright, settings_));
     truth_.shapes.back().casts_shadow = false;

@@ -13,7 +13,7 @@
 
 namespace atelier {
 
-/// "preview.size", "preview.most", "preview.relief".
+/// "preview.size", "preview.most", "preview.update", "preview.relief".
 std::vector<SettingSpec> preview_settings();
 
 /// The settings of step 06, with the heights of the rooms.
@@ -39,10 +39,10 @@ class Previews : public Feature {
  private:
   /// A painting, or the bedroom's door.
   struct Painting {
-    int material = -1;     ///< index into Scene::materials; -1: the scene has no such painting
+    int material = -1;  ///< index into Scene::materials; -1: the scene has no such painting
     glm::dmat4 frame{1};
-    bool portal = false;   ///< shows its room as step 07 does
-    int leads_to = 0;      ///< a room, or gallery::hall
+    bool portal = false;  ///< shows its room as step 07 does
+    int leads_to = 0;     ///< a room, or gallery::hall
     glm::dmat4 exit{1};
     std::array<GlTexture, 3> textures;  ///< by gallery::Map; owners of the names in `preview`
     GlFramebuffer framebuffer;
@@ -56,7 +56,7 @@ class Previews : public Feature {
   RoomStyles& styles_;
   std::array<Painting, paintings_in_hall + 1> paintings_;  ///< the door is the last
   int size_ = 256, most_ = paintings_in_hall;
-  bool relief_ = true;
+  bool relief_ = true, always_ = false;
   std::uint64_t version_ = 0;
 };
 

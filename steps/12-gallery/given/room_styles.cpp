@@ -18,7 +18,11 @@ std::vector<SettingSpec> room_style_settings() {
        .low = 0.25,
        .high = 4,
        .help = "of brushes and grids of the painterly style"},
-      {.name = "style.turns", .fallback = 0.1, .low = 0, .high = 10, .help = "periods of the aberration that have passed"},
+      {.name = "style.turns",
+       .fallback = 0.1,
+       .low = 0,
+       .high = 10,
+       .help = "periods of the aberration that have passed"},
   };
 }
 
