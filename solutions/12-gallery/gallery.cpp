@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
-#include <numeric>
+#include <numbers>
 
 #include "07-stencil-portals/stencil_portals.hpp"
 
@@ -33,10 +32,11 @@ double reach(const glm::dvec3& direction) {
 
 Mesh hall_wall(int segments, float radius, float height, float repeat) {
   // >>> student: corners on a circle; which way round, and how many at the seam?
-  Mesh mesh{.name = "wall"};
+  Mesh mesh;
+  mesh.name = "wall";
   for (int i = 0; i <= segments; ++i) {
     // The last corner is the first one again, with another texture coordinate.
-    const double turn = glm::two_pi<double>() * (i % segments) / segments;
+    const double turn = 2 * std::numbers::pi * (i % segments) / segments;
     const glm::vec3 outwards(-std::sin(turn), 0, std::cos(turn));
     const float u = repeat * float(i) / float(segments);
     mesh.vertices.push_back({radius * outwards, -outwards, {u, 0}});
@@ -55,7 +55,7 @@ Mesh hall_wall(int segments, float radius, float height, float repeat) {
 
 glm::dmat4 painting_frame(int index, int count, double distance, double height) {
   // >>> student: where are its axes?
-  const double turn = glm::two_pi<double>() * index / count;
+  const double turn = 2 * std::numbers::pi * index / count;
   const glm::dvec3 inwards(std::sin(turn), 0, std::cos(turn)), up(0, 1, 0);
   return {glm::dvec4(glm::cross(up, inwards), 0), glm::dvec4(up, 0), glm::dvec4(inwards, 0),
           glm::dvec4(-distance * inwards + height * up, 1)};

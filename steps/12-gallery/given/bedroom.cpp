@@ -104,7 +104,7 @@ void add_bedroom(Scene& scene) {
   const int wood = paint("orange wood", {0.72f, 0.34f, 0.06f}), straw = paint("straw", {0.75f, 0.6f, 0.2f}),
             sheet = paint("sheet", {0.86f, 0.82f, 0.62f}), blanket = paint("blanket", {0.62f, 0.05f, 0.04f}),
             jug = paint("jug", {0.12f, 0.2f, 0.5f}), cloth = paint("cloth", {0.8f, 0.8f, 0.76f}),
-            door = paint("door", {0.36f, 0.5f, 0.62f}), sky = paint("sky", {0.2f, 0.5f, 0.75f}),
+            door = paint("side door", {0.36f, 0.5f, 0.62f}), sky = paint("sky", {0.2f, 0.5f, 0.75f}),
             portrait = paint("portrait", {0.55f, 0.42f, 0.16f}), meadow = paint("meadow", {0.16f, 0.42f, 0.14f});
   const int glass =
       add_material(scene, {.name = "panes", .diffuse = {0.55f, 0.7f, 0.4f}, .emission = {0.3f, 0.36f, 0.2f}});

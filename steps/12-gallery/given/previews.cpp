@@ -51,9 +51,8 @@ void Previews::configure(const Settings& settings) {
 void Previews::prepare(Gl&, const Scene& scene) {
   for (std::size_t i = 0; i < paintings_.size(); ++i) {
     Painting& painting = paintings_[i];
-    const std::string name = painting_name(int(i));
-    const auto material = std::ranges::find(scene.materials, name, &Material::name);
-    painting.material = material == scene.materials.end() ? -1 : int(material - scene.materials.begin());
+    const auto node = std::ranges::find(scene.nodes, painting_name(int(i)), &Node::name);
+    painting.material = node == scene.nodes.end() ? -1 : node->material;
     painting.state = {};  // a frame must not depend on what was drawn before the scene was loaded
   }
   moved(scene);

@@ -236,7 +236,8 @@ Numbers probe_record(ProbeContext& context, const Arguments& in) {
   return out;
 }
 
-/// "visible", "recorded", "recorded_of", "frames_since", "version": one number for each preview.
+/// "visible", "recorded", "recorded_of", "frames_since", "version": one number for each preview. How many are recorded,
+/// then which.
 Numbers probe_previews_to_record(ProbeContext&, const Arguments& in) {
   std::vector<PreviewState> states(in.numbers("visible").size());
   const auto number = [&](const char* name, std::size_t i) { return in.numbers(name).at(i); };
@@ -246,8 +247,9 @@ Numbers probe_previews_to_record(ProbeContext&, const Arguments& in) {
                  .recorded = number("recorded", i) > 0.5,
                  .recorded_of = std::uint64_t(number("recorded_of", i)),
                  .frames_since = std::uint64_t(number("frames_since", i))};
-  Numbers out;
-  append(out, previews_to_record(states, in.integer("most")));
+  const std::vector<int> wanted = previews_to_record(states, in.integer("most"));
+  Numbers out{double(wanted.size())};
+  append(out, wanted);
   return out;
 }
 

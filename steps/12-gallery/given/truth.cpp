@@ -1,5 +1,7 @@
 #include "12-gallery/given/truth.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
@@ -178,11 +180,16 @@ SceneTruth gallery_truth(const TruthRequest& request, const Settings& settings, 
   SceneTruth truth = normal_mapping_truth(before, settings, std::move(model));
   use_shadows(truth.shading, settings);
   if (imported) return truth;
+  const int most = settings.integer("preview.most");
+  if (most > 0 && most < paintings_in_hall)
+    throw Error(fmt::format("preview.most={} has no ground truth, as previews are then recorded over several frames; 0 "
+                            "has one, and {} and more",
+                            most, paintings_in_hall));
   truth.shading.portal_depth = settings.integer("portals.depth");
   const auto wall = std::ranges::find(truth.scene.nodes, "wall", &Node::name);
   truth.shapes.push_back(round_wall(truth.scene, *wall));
   wall->mesh.reset();
-  Studio(truth, request, settings).hang();
+  if (most > 0) Studio(truth, request, settings).hang();
   return Seen{settings, settings.integer("gallery.room")}.through(std::move(truth), request);
 }
 
