@@ -24,6 +24,3 @@ sheet engine-hall 3 engine-bare="preview.most=0" engine-flat="preview.relief=off
 plain engine-position $step --scene gallery --output position
 plain engine-normal $step --scene gallery --output normal
 pair engine-surfaces engine-position engine-normal
-
-size=480x320
-draw engine-frame $step --scene gallery && single engine-frame

@@ -122,7 +122,7 @@ Visitor moved(const Visitor& visitor, const glm::dvec2& walking, double seconds)
   const double above = visitor.position.y - visitor_half_size.y, up = visitor.velocity.y;
   const bool flies = above > 0 || up > 0;
   // The later root of above + up t - g t^2 / 2 = 0.
-  const double landing = flies ? (up + std::sqrt(up * up + 2 * gravity * std::max(above, 0.0))) / gravity : 0;
+  const double landing = flies ? (up + std::sqrt(up * up + 2 * gravity * above)) / gravity : 0;
   const double flight = std::min(seconds, landing);
   if (flies) {
     after.position += visitor.velocity * flight;
