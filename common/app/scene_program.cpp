@@ -38,6 +38,11 @@ std::optional<ColourFormat> chain_format(const StepDescription& description, con
   return format == "8" ? ColourFormat::srgb8 : format == "16f" ? ColourFormat::rgba16f : ColourFormat::rgba32f;
 }
 
+RenderOptions options_of(const StepDescription& description, const Settings& settings) {
+  return {.chain_format = chain_format(description, settings),
+          .constants_as_varyings = settings.choice("draw.constants") == "varyings"};
+}
+
 /// The same depth with a stencil buffer. There is none with 16 bits.
 DepthFormat with_stencil(DepthFormat format) {
   return format == DepthFormat::depth32f ? DepthFormat::depth32f_stencil8 : DepthFormat::depth24_stencil8;
@@ -113,14 +118,25 @@ void SceneProgram::load(const std::string& scene, const Settings& settings) {
   loaded_.reset();
   scene_ = is_model_file(scene) ? import_with_notes(scene) : make_scene(step_.scenes, scene, settings);
   boxes_.clear();
-  renderer_->configure(settings, {.chain_format = chain_format(description_, settings),
-                                  .constants_as_varyings = settings.choice("draw.constants") == "varyings"});
+  renderer_->configure(settings, options_of(description_, settings));
   renderer_->prepare(scene_);
   loaded_ = std::move(wanted);
 }
 
 bool SceneProgram::is_walked() const {
   return step_.walk && loaded_ && !is_model_file(loaded_->scene);
+}
+
+/// Another place in the same scene: nothing is made or drawn again that stays as it was. A scene with portals is loaded
+/// again, since others may be open from there.
+Walker SceneProgram::walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) {
+  const auto before = settings.values();
+  const Walker after = step_.walk(walker, walking, seconds, settings);
+  if (settings.values() != before && loaded_->settings == before && scene_.portals.empty()) {
+    renderer_->configure(settings, options_of(description_, settings));
+    loaded_->settings = settings.values();
+  }
+  return after;
 }
 
 DepthFormat SceneProgram::depth_format(const Settings& settings) const {

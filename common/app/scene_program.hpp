@@ -46,9 +46,7 @@ class SceneProgram : public StepProgram {
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
   bool is_walked() const override;
-  Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) const override {
-    return step_.walk(walker, walking, seconds, settings);
-  }
+  Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) override;
   Image truth(const TruthRequest& request, const Settings& settings) const override;
   bool write(const std::filesystem::path& file, const Image& picture) const override {
     return step_.write && step_.write(file, picture);

@@ -87,7 +87,7 @@ class StepProgram {
   virtual bool is_walked() const { return false; }
 
   /// The visitor after `seconds`; called where is_walked. May change settings, such as the room where the visitor is.
-  virtual Walker walk(const Walker& walker, const Walking&, double /*seconds*/, Settings&) const { return walker; }
+  virtual Walker walk(const Walker& walker, const Walking&, double /*seconds*/, Settings&) { return walker; }
 
   /// The ground truth of a picture, row 0 on top: an exact version of `load` and `draw`, from given code and the oracle
   /// only. Works before `open`, without OpenGL. Settings that only trade accuracy for speed have no effect. Throws

@@ -21,7 +21,7 @@ extern "C" atelier::StepProgram* atelier_step_program() {
       .name = ATELIER_STEP,
       .title = ATELIER_STEP_TITLE,
       .scenes = gallery_scenes(),
-      .settings = {gallery_scene_settings(), walk_settings(), preview_settings(), room_style_settings(),
+      .settings = {gallery_scene_settings(), room_style_settings(), walk_settings(), preview_settings(),
                    gallery_relief_settings(), portal_settings(), normal_mapping_settings(), cube_settings(),
                    shadow_setting_specs(), lit_surface_settings()},
       .outputs = room_style_outputs(),

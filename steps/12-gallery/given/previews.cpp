@@ -45,7 +45,12 @@ void Previews::configure(const Settings& settings) {
   most_ = settings.integer("preview.most");
   relief_ = settings.flag("preview.relief");
   always_ = settings.choice("preview.update") == "always";
-  ++version_;  // whatever has changed, the rooms may look different
+  // Where the visitor is changes nothing but what is behind the door; after all else the rooms may look different.
+  Settings elsewhere = settings;
+  elsewhere.set("gallery.room", gallery::hall);
+  elsewhere.set("walk.seconds", 0.0);
+  if (elsewhere.values() != configured_) ++version_;
+  configured_ = elsewhere.values();
 }
 
 void Previews::prepare(Gl&, const Scene& scene) {
@@ -71,11 +76,20 @@ void Previews::moved(const Scene& scene) {
     const bool is_door = i == paintings_in_hall;
     painting.frame = frame_of(i);
     painting.leads_to = is_door ? gallery::hall : i;
-    painting.exit = is_door ? frame_of(std::max(styles_.visited(), 0)) : door;
+    painting.exit = door;
     painting.portal = std::ranges::any_of(scene.portals, [&](const Portal& portal) {
       return scene.nodes[std::size_t(portal.node)].name == painting_name(i);
     });
   }
+}
+
+/// The door leads out of the painting of the room in which the visitor is.
+void Previews::turn_door() {
+  Painting& door = paintings_.back();
+  const glm::dmat4& exit = paintings_[std::size_t(std::max(styles_.visited(), 0))].frame;
+  if (exit == door.exit) return;
+  door.exit = exit;
+  door.state.recorded = false;
 }
 
 bool Previews::in_view(const Painting& painting, const Viewpoint& viewpoint) const {
@@ -145,6 +159,7 @@ void Previews::record(Gl& gl, Painting& painting, const Viewpoint& viewpoint, bo
 void Previews::draw_views(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) {
   const DebugGroup group(gl, "previews");
   if (always_) ++version_;
+  turn_door();
   std::vector<gallery::PreviewState> states;
   for (Painting& painting : paintings_) {
     ++painting.state.frames_since;

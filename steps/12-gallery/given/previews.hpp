@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "12-gallery/gallery.hpp"
@@ -51,6 +53,7 @@ class Previews : public Feature {
   };
   bool in_view(const Painting& painting, const Viewpoint& viewpoint) const;
   void allocate(Gl& gl, Painting& painting);
+  void turn_door();
   void record(Gl& gl, Painting& painting, const Viewpoint& viewpoint, bool stencil, ScenePainter& painter);
 
   RoomStyles& styles_;
@@ -58,6 +61,7 @@ class Previews : public Feature {
   int size_ = 256, most_ = paintings_in_hall;
   bool relief_ = true, always_ = false;
   std::uint64_t version_ = 0;
+  std::map<std::string, SettingValue, std::less<>> configured_;  ///< apart from where the visitor is
 };
 
 }  // namespace atelier

@@ -117,7 +117,7 @@ class FakeStep : public SceneProgram {
 
   bool is_walked() const override { return walked; }
   /// Moves the eye along x; whoever is beyond x = 10 changes a setting. Turning is a jump.
-  Walker walk(const Walker& before, const Walking& walking, double seconds, Settings& settings) const override {
+  Walker walk(const Walker& before, const Walking& walking, double seconds, Settings& settings) override {
     Walker walker = before;
     walker.camera.eye.x += (walking.velocity.y + before.velocity.x) * seconds;
     walker.velocity.x = walking.turn.x > 0 ? 1 : 0;

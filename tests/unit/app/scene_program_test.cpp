@@ -143,3 +143,38 @@ TEST_CASE("a scene is drawn with its own camera", "[scene_program]") {
   CHECK(step.camera().eye == glm::dvec3(0, 0, 3));
   CHECK(mentions(error_of([&] { step.load("hall", settings); }), {"hall"}));
 }
+
+TEST_CASE("a walk into another place makes no scene anew, but where there are portals", "[scene_program]") {
+  const TemporaryFolder folder;
+  test::write_fake_shaders(folder.path());
+  const auto context = make_headless_context();
+  int made = 0;
+  bool portals = false;
+  SceneStep walked = test::fake_step();
+  walked.scenes = {{"place", [&](const Settings&) {
+                      ++made;
+                      Scene scene = test::fake_scene("place", make_plane({}));
+                      for (Vertex& vertex : scene.meshes[0].vertices) vertex.position = {vertex.position.x, -vertex.position.z, 0};
+                      if (portals) scene.portals.push_back({.node = 0, .exit = 0});
+                      return scene;
+                    }}};
+  walked.walk = [](const Walker& walker, const Walking&, double, Settings& settings) {
+    settings.set("tint.colour", "blue");
+    return walker;
+  };
+  const auto makes = [&] {
+    made = 0;
+    SceneProgram program(walked);
+    program.open(context->gl(), Implementations({{folder.path(), ""}}));
+    Settings settings(program.description().settings);
+    program.load("place", settings);
+    program.walk({}, {}, 1, settings);
+    CHECK(settings.choice("tint.colour") == "blue");
+    program.load("place", settings);
+    program.load("place", settings);
+    return made;
+  };
+  CHECK(makes() == 1);
+  portals = true;
+  CHECK(makes() == 2);
+}
