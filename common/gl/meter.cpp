@@ -314,8 +314,10 @@ void GlMeter::generate_mipmap(GLenum target) {
       size.width = std::max<std::int64_t>(size.width / 2, 1);
       size.height = std::max<std::int64_t>(size.height / 2, 1);
       if (!layers) size.depth = std::max<std::int64_t>(size.depth / 2, 1);
+      Level& kept = (*levels)[{face.first, level}];
+      if (kept == size) continue;  // only its texels change
       counts_.allocated_bytes += bytes_of_level(size);
-      (*levels)[{face.first, level}] = size;
+      kept = size;
     }
   }
 }

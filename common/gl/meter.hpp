@@ -48,6 +48,7 @@ class GlMeter {
   struct Level {
     GLenum format = GL_NONE;
     std::int64_t width = 0, height = 0, depth = 0;  ///< texels; depth counts the layers of an array too
+    bool operator==(const Level&) const = default;
   };
   void active_texture(GLenum unit);
   void bind_texture(GLenum target, GLuint texture);

@@ -68,7 +68,7 @@ std::optional<ShapeHit> meet(const CylinderWall& wall, const Ray& ray, bool fron
     const glm::dvec3 outwards = glm::normalize(glm::dvec3(point.x, 0, point.z));
     const glm::dvec3 normal = wall.inside ? -outwards : outwards;
     if (front_only && !faces(ray, normal)) continue;
-    const double u = turn_share(point.x, wall.inside ? point.z : -point.z);
+    const double u = wall.repeat * turn_share(point.x, wall.inside ? point.z : -point.z);
     return ShapeHit{t, normal, {u, point.y / wall.height}};
   }
   return std::nullopt;

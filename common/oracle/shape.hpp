@@ -19,11 +19,12 @@ struct Sphere {
 };
 
 /// The wall of an upright cylinder around the y axis, y from 0 to height, without floor and ceiling. Texture
-/// coordinates as on make_cylinder_wall: u once around from +x, counter-clockwise from above if the wall faces out,
+/// coordinates as on make_cylinder_wall: u from 0 to `repeat` around, from +x, counter-clockwise from above if the wall faces out,
 /// clockwise if it faces in; v up.
 struct CylinderWall {
   double radius = 1, height = 1;
   bool inside = false;  ///< it faces the axis: a hall, not a column
+  double repeat = 1;    ///< of the texture around it
 };
 
 /// The points centre + a half_u + b half_v, -1 <= a, b <= 1, facing half_u x half_v; u = (a + 1) / 2, v = (b + 1) / 2.

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "base/error.hpp"
 #include "base/file.hpp"
 #include "catch.hpp"
 
@@ -23,8 +24,44 @@ std::vector<CourseStep> course() {
   return {resolve_step(all, std::getenv("ATELIER_TEST_STEP"))};
 }
 
-std::vector<std::string> with_steps(std::vector<std::string> arguments) {
-  if (!is_whole_course()) arguments.push_back(course().front().name);
+namespace {
+
+/// What git prints, without the line break at its end; empty if it fails.
+std::string git(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"git", "-C", folders().root.string()});
+  try {
+    Finished finished = run_process({.arguments = arguments});
+    if (!finished.ok()) return "";
+    return finished.output.substr(0, finished.output.find_last_not_of('\n') + 1);
+  } catch (const Error&) {
+    return "";  // there is no git
+  }
+}
+
+std::vector<CourseStep> choose_steps_in_turn() {
+  std::vector<CourseStep> steps = course();
+  const char* turn = std::getenv("ATELIER_TEST_TURN");
+  const std::string commit = git({"rev-parse", "HEAD"});
+  if (!is_whole_course() || (turn && std::string(turn) == "all") || commit.empty()) return steps;
+  const std::string changed = git({"log", "-1", "--format=", "--name-only", "--", "solutions", "steps"});
+  constexpr std::size_t turns = 3;
+  const std::size_t now = std::stoul(commit.substr(0, 7), nullptr, 16) % turns;
+  std::vector<CourseStep> chosen;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (i % turns == now || changed.find("/" + steps[i].name + "/") != changed.npos) chosen.push_back(steps[i]);
+  return chosen;
+}
+
+}  // namespace
+
+const std::vector<CourseStep>& steps_in_turn() {
+  static const std::vector<CourseStep> steps = choose_steps_in_turn();
+  return steps;
+}
+
+std::vector<std::string> with_steps(std::vector<std::string> arguments, const std::vector<CourseStep>& steps) {
+  if (!is_whole_course() || steps.size() < course().size())
+    for (const CourseStep& step : steps) arguments.push_back(step.name);
   return arguments;
 }
 

@@ -1,5 +1,7 @@
 #include "drawn.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "base/file.hpp"
@@ -75,6 +77,8 @@ std::map<std::string, std::int64_t> counts_at_rest(const std::string& step, cons
                                         solutions_path()};
   for (const auto& [name, value] : picture.settings)
     arguments.insert(arguments.end(), {"--set", name + "=" + setting_text(value)});
+  for (const auto& [option, place] : {std::pair("--eye", picture.camera.eye), {"--target", picture.camera.target}})
+    if (place) arguments.insert(arguments.end(), {option, fmt::format("{},{},{}", place->x, place->y, place->z)});
   const Finished finished = run_process({.arguments = arguments});
   INFO(finished.output);
   REQUIRE(finished.ok());

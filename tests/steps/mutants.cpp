@@ -1,5 +1,6 @@
 // Changes of the solutions that a machine makes: what changes the meaning loses points, what keeps it keeps them.
-// The numbers are small here; --all tries many (the tests whose topics end in "-all").
+// The numbers are small here, and of the steps whose turn it is; --all tries many (the tests whose topics end in
+// "-all").
 #include <cstdlib>
 
 #include "catch.hpp"
@@ -14,7 +15,7 @@ namespace {
 /// None may fall short: survive, lose points, or not build.
 void check_mutations(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "mutate");
-  const Printed run = printed(with_steps(std::move(arguments)));
+  const Printed run = printed(with_steps(std::move(arguments), steps_in_turn()));
   CHECK(!run.json["mutations"].empty());
   int built = 0;
   for (const json& step : run.json["mutations"]) {

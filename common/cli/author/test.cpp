@@ -113,7 +113,9 @@ int run_test(const TestOptions& options) {
   const ProjectFolders folders = project_folders();
   if (!fs::exists(folders.root / "tests" / "CMakeLists.txt"))
     throw Error("a release has no tests of its own; ./atelier check STEP judges your files");
-  const bool all = options.tier == TestOptions::Tier::all, one_step = !options.step.empty();
+  const bool all = options.tier == TestOptions::Tier::all;
+  if (all) ::setenv("ATELIER_TEST_TURN", "all", 1);  // tests/steps/command.hpp
+  const bool one_step = !options.step.empty();
   Tally tally = one_step ? test_step(folders, resolve_step(read_course(folders.step_flags()), options.step))
                          : run_ctest(folders.build, selection_of(options.tier));
   if (!one_step && options.tier != TestOptions::Tier::quick) {

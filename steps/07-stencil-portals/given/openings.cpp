@@ -1,5 +1,7 @@
 #include "07-stencil-portals/given/openings.hpp"
 
+#include <algorithm>
+
 #include "07-stencil-portals/stencil_portals.hpp"
 
 namespace atelier {
@@ -36,6 +38,13 @@ glm::dmat4 from_behind(const glm::dmat4& frame) {
 
 bool before(const glm::dmat4& frame, const glm::dvec3& point) {
   return glm::dot(glm::dvec3(frame[2]), point - glm::dvec3(frame[3])) >= 0;
+}
+
+bool beyond_far_plane(std::span<const glm::dvec4> points, const Viewpoint& viewpoint) {
+  return std::ranges::all_of(points, [&](const glm::dvec4& point) {
+    const glm::vec4 seen = viewpoint.world_to_view * glm::vec4(glm::dvec3(point) - viewpoint.origin, 1);
+    return -seen.z > viewpoint.view.camera.far;
+  });
 }
 
 }  // namespace atelier

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
+#include "render/view.hpp"
 #include "scene/scene.hpp"
 
 namespace atelier {
@@ -29,5 +31,8 @@ glm::dmat4 from_behind(const glm::dmat4& frame);
 
 /// Whether a point of the world is on the side that a frame's +z faces, or on its plane.
 bool before(const glm::dmat4& frame, const glm::dvec3& point);
+
+/// Whether all of these points of the world are beyond the far plane of a view.
+bool beyond_far_plane(std::span<const glm::dvec4> points, const Viewpoint& viewpoint);
 
 }  // namespace atelier

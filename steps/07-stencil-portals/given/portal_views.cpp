@@ -120,7 +120,7 @@ void PortalViews::draw_opening(const Opening& opening, const Viewpoint& around, 
   if (behind && !opening.two_sided) return;
   if (!exits_.empty() && !seen_from(exits_.back(), opening)) return;
   const std::optional<glm::ivec4> rectangle = rectangle_of(opening, around, target);
-  if (!rectangle) return;
+  if (!rectangle || beyond_far_plane(opening.corners(), around)) return;
   if (nesting_depth(around.view) >= deepest_ || std::min(rectangle->z, rectangle->w) < smallest_) {
     painter.fill_opening(around, target, item, around.view.output == "colour" ? opening.colour : glm::vec3(0));
     return;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "06-parallax-mapping/given/relief_surface.hpp"
+#include "07-stencil-portals/given/openings.hpp"
 #include "07-stencil-portals/stencil_portals.hpp"
 #include "12-gallery/given/scenes.hpp"
 #include "base/error.hpp"
@@ -95,16 +96,14 @@ void Previews::turn_door() {
 bool Previews::in_view(const Painting& painting, const Viewpoint& viewpoint) const {
   if (glm::dot(stencil_portals::opening_plane(painting.frame, false), glm::dvec4(viewpoint.exact_eye, 1)) <= 0)
     return false;
+  const auto corners = Opening{.frame = painting.frame, .half_size = painting_half_size}.corners();
+  if (beyond_far_plane(corners, viewpoint)) return false;
   const glm::mat4 to_clip = viewpoint.projection * viewpoint.world_to_view;
-  std::vector<glm::vec4> corners;
-  for (const glm::dvec2 at : {glm::dvec2(-1, -1), {1, -1}, {1, 1}, {-1, 1}}) {
-    const glm::dvec4 corner = painting.frame * glm::dvec4(at * painting_half_size, 0, 1);
-    corners.push_back(to_clip * glm::vec4(glm::dvec3(corner) - viewpoint.origin, 1));
-  }
-  const bool before_far_plane =
-      std::ranges::any_of(corners, [](const glm::vec4& corner) { return corner.z <= corner.w; });
+  std::vector<glm::vec4> in_clip_space;
+  for (const glm::dvec4& corner : corners)
+    in_clip_space.push_back(to_clip * glm::vec4(glm::dvec3(corner) - viewpoint.origin, 1));
   constexpr glm::ivec2 fine(16384, 16384);  // as finely as any picture's pixels
-  return before_far_plane && stencil_portals::opening_rectangle(corners, fine, {0, 0, fine});
+  return stencil_portals::opening_rectangle(in_clip_space, fine, {0, 0, fine}).has_value();
 }
 
 void Previews::allocate(Gl& gl, Painting& painting) {

@@ -27,24 +27,16 @@ namespace {
 
 // ---- The hall
 
-/// A texture side by side with itself.
-Image tiled(const Image& tile, int times) {
-  Image row(tile.width() * times, tile.height());
-  for (int y = 0; y < row.height(); ++y)
-    for (int x = 0; x < row.width(); ++x) row.at(x, y) = tile.at(x % tile.width(), y);
-  return row;
-}
-
-/// The exact wall, whose texture coordinate u runs once around.
-oracle::Shape round_wall(Scene& scene, const Node& wall) {
+/// The exact wall.
+oracle::Shape round_wall(const Scene& scene, const Node& wall) {
   float repeat = 0;
   for (const Vertex& vertex : scene.meshes[std::size_t(*wall.mesh)].vertices)
     repeat = std::max(repeat, vertex.texcoord.x);
-  Texture& paper = scene.textures[std::size_t(*scene.materials[std::size_t(wall.material)].diffuse_texture)];
-  paper.pixels = tiled(paper.pixels, int(std::lround(repeat)));
-  return {.surface = oracle::CylinderWall{.radius = hall_radius, .height = hall_height, .inside = true},
-          .object_to_world = glm::rotate(glm::dmat4(1), -glm::half_pi<double>(), glm::dvec3(0, 1, 0)),  // u = 0 at +z
-          .material = wall.material};
+  return {
+      .surface =
+          oracle::CylinderWall{.radius = hall_radius, .height = hall_height, .inside = true, .repeat = double(repeat)},
+      .object_to_world = glm::rotate(glm::dmat4(1), -glm::half_pi<double>(), glm::dvec3(0, 1, 0)),  // u = 0 at +z
+      .material = wall.material};
 }
 
 // ---- Pictures of rooms
@@ -182,9 +174,10 @@ SceneTruth gallery_truth(const TruthRequest& request, const Settings& settings, 
   if (imported) return truth;
   const int most = settings.integer("preview.most");
   if (most > 0 && most < paintings_in_hall)
-    throw Error(fmt::format("preview.most={} has no ground truth, as previews are then recorded over several frames; 0 "
-                            "has one, and {} and more",
-                            most, paintings_in_hall));
+    throw Error(
+        fmt::format("preview.most={} has no ground truth, as previews are then recorded over several frames; 0 "
+                    "has one, and {} and more",
+                    most, paintings_in_hall));
   truth.shading.portal_depth = settings.integer("portals.depth");
   const auto wall = std::ranges::find(truth.scene.nodes, "wall", &Node::name);
   truth.shapes.push_back(round_wall(truth.scene, *wall));

@@ -229,5 +229,11 @@ TEST_CASE("texture bytes include all levels and layers, but not targets", "[mete
     const GlTexture chain = texture(gl, GL_RGBA8, 8, 4);
     gl.GenerateMipmap(GL_TEXTURE_2D);
     CHECK(gl.counts().texture_bytes == (8 * 4 + 4 * 2 + 2 * 1 + 1) * 4);
+    gl.restart_counts();
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    CHECK(gl.counts().allocated_bytes == 0);  // the levels are there
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    gl.GenerateMipmap(GL_TEXTURE_2D);
+    CHECK(gl.counts().allocated_bytes == (4 * 4 + 2 * 2 + 1) * 4);  // the second level is of another size
   });
 }

@@ -59,6 +59,13 @@ TEST_CASE("a wall is seen from the side that it faces", "[shape]") {
   CHECK(hall->t == Approx(7));
   CHECK(hall->normal == glm::dvec3(-1, 0, 0));
   CHECK_FALSE(oracle::intersect(CylinderWall{2, 0.5}, through, true));
+  const Ray aside{{0, 1, 0}, {0.6, 0, 0.8}};  // u is not 0 there
+  const auto once = oracle::intersect(CylinderWall{2, 3, true}, aside, true),
+             often = oracle::intersect(CylinderWall{2, 3, true, 10}, aside, true);
+  REQUIRE((once && often));
+  CHECK(once->texcoord.x > 0.1);
+  CHECK(often->texcoord.x == Approx(10 * once->texcoord.x));
+  CHECK(often->texcoord.y == once->texcoord.y);
 }
 
 TEST_CASE("a tessellated wall is inside the round one by the sagitta", "[shape]") {
