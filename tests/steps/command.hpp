@@ -21,7 +21,8 @@ std::vector<CourseStep> course();
 /// them where ATELIER_TEST_TURN is "all" (./atelier test --all), and outside of a git working tree.
 const std::vector<CourseStep>& steps_in_turn();
 /// A command with steps behind it; without any where they are the whole course.
-std::vector<std::string> with_steps(std::vector<std::string> arguments, const std::vector<CourseStep>& steps = course());
+std::vector<std::string> with_steps(std::vector<std::string> arguments,
+                                    const std::vector<CourseStep>& steps = course());
 /// Whether course() is all.
 bool is_whole_course();
 

@@ -2,6 +2,7 @@
 // tiers only.
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 #include "base/file.hpp"
 #include "catch.hpp"
@@ -29,6 +30,19 @@ std::set<std::string> named_up_to(const std::vector<judge::JudgedCase>& cases, c
   return names;
 }
 
+/// A file of choices without those of later cases.
+std::string without_later(const std::string& choices, const std::vector<judge::JudgedCase>& cases,
+                          const std::string& last) {
+  std::string kept;
+  std::istringstream lines(choices);
+  for (std::string line; std::getline(lines, line);) {
+    const bool later = std::ranges::any_of(
+        cases, [&](const judge::JudgedCase& c) { return !within(c, last) && line.starts_with(c.ask.name + ":"); });
+    if (!later) kept += line + "\n";
+  }
+  return kept;
+}
+
 /// Of the steps in turn, what a student hands in who stops behind a tier. Returns how many functions are left out.
 std::size_t stop_behind(const std::string& last, const std::filesystem::path& folder) {
   std::size_t left_out = 0;
@@ -39,9 +53,11 @@ std::size_t stop_behind(const std::string& last, const std::filesystem::path& fo
     std::set_difference(all.begin(), all.end(), done.begin(), done.end(), std::inserter(later, later.end()));
     left_out += later.size();
     std::filesystem::create_directories(folder / step.name);
-    for (const std::string& file : step.files)
-      write_file(folder / step.name / file,
-                 with_unwritten(read_file(folders().solutions() / step.name / file), later, file, step.name));
+    for (const std::string& file : step.files) {
+      const std::string solved = read_file(folders().solutions() / step.name / file);
+      write_file(folder / step.name / file, file == "choices.txt" ? without_later(solved, cases, last)
+                                                                  : with_unwritten(solved, later, file, step.name));
+    }
   }
   return left_out;
 }

@@ -35,7 +35,8 @@ const Json& object(const Json& value, const std::string& where) {
 }
 
 CheckRecord check_from(const Json& value, const std::string& where) {
-  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases", "begin_with", "wrong_function"}, where);
+  strict_json::refuse_unknown(value, {"when", "score", "max_score", "files", "cases", "begin_with", "wrong_function"},
+                              where);
   const auto member = [&](const char* name) -> const Json& { return strict_json::required(value, name, where); };
   CheckRecord check;
   check.when = strict_json::text(member("when"), where + ": when", 40);
@@ -47,7 +48,7 @@ CheckRecord check_from(const Json& value, const std::string& where) {
   if (const Json* begin_with = strict_json::optional(value, "begin_with"))
     check.begin_with = strict_json::name(*begin_with, where + ": begin_with");
   if (const Json* function = strict_json::optional(value, "wrong_function"))
-    check.wrong_function = strict_json::name(*function, where + ": wrong_function");
+    check.wrong_function = strict_json::text(*function, where + ": wrong_function", 100);
   return check;
 }
 

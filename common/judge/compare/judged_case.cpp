@@ -69,6 +69,7 @@ void read_about(const Reader& r, JudgedCase& c) {
   if (const Json* hidden = r.find("hidden")) c.hidden = strict_json::boolean(*hidden, r.at("hidden"));
   c.rejects = r.names("rejects", "-");
   c.functions = r.names("functions", "_");
+  if (const Json* together = r.find("together")) c.together = strict_json::boolean(*together, r.at("together"));
   c.needs = r.names("needs", "_-");
   if (c.points > 0 && !c.needs.empty()) {
     r.refuse(

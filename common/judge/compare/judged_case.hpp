@@ -101,6 +101,7 @@ struct JudgedCase {
   bool hidden = false;                 ///< judged, but not in releases
   std::vector<std::string> rejects;    ///< the mistakes that this case claims to catch
   std::vector<std::string> functions;  ///< the student's functions that this case tests
+  bool together = false;               ///< a probe: it tests these functions together, and no single one
   std::vector<std::string> needs;      ///< optional driver features ("clip_control"); such a case has no points
 
   // Of a picture

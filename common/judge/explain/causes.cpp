@@ -67,10 +67,10 @@ class CauseFinder {
     return found == functions_.end() ? nullptr : &*found;
   }
 
-  /// The function that a probe asks; empty for a picture.
+  /// The function that a probe asks; empty for a picture, and for a probe that asks several together.
   std::string asked_function(std::size_t i) const {
-    const bool probe = cases_[i].profile == Profile::values && !cases_[i].functions.empty();
-    return probe ? cases_[i].functions.front() : "";
+    const JudgedCase& c = cases_[i];
+    return c.profile == Profile::values && !c.functions.empty() && !c.together ? c.functions.front() : "";
   }
 
   std::vector<std::string> needs_of(std::size_t i) const {
@@ -140,8 +140,8 @@ class CauseFinder {
     const auto timed_out = [&](const Cause& cause) {
       return step_.cases[cause.shown.empty() ? cause.waiting.front() : cause.shown.front()].status == Status::timeout;
     };
-    const auto first = std::ranges::find_if(
-        step_.causes, [](const Cause& cause) { return cause.kind != Cause::Kind::no_answer; });
+    const auto first =
+        std::ranges::find_if(step_.causes, [](const Cause& cause) { return cause.kind != Cause::Kind::no_answer; });
     const bool others_timed_out = std::ranges::any_of(first, step_.causes.end(), timed_out);
     if (others_timed_out && first != step_.causes.begin() && timed_out(step_.causes.front()))
       std::rotate(step_.causes.begin(), first, step_.causes.end());

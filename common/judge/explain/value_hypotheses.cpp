@@ -236,13 +236,23 @@ std::vector<Operation> operations_for(const std::vector<Value>& values, int side
 
 // --- The verdict ---
 
+double largest_of(const Numbers& numbers) {
+  double largest = 0;
+  for (double x : numbers) largest = std::max(largest, std::abs(x));
+  return largest;
+}
+
+/// A tolerance for numbers up to `largest` in which an operation may round.
+Tolerance loosened(Tolerance tolerance, double largest) {
+  tolerance.absolute += rounding * largest;
+  return tolerance;
+}
+
 /// The largest error, in tolerances, of a returned value against the result of the operation; infinite if above one.
 double misfit(const Operation& operation, const Value& value, const Tolerance& tolerance) {
   const Numbers predicted = operation.apply(value);
-  double largest = 0, worst = 0;
-  for (double x : predicted) largest = std::max(largest, std::abs(x));
-  Tolerance loose = tolerance;
-  loose.absolute += rounding * largest;
+  double worst = 0;
+  const Tolerance loose = loosened(tolerance, largest_of(predicted));
   for (std::size_t k = 0; k < predicted.size(); ++k) {
     const bool lost = std::isfinite(value.expected[k]) && !std::isfinite(predicted[k]);  // no inverse, for example
     const double times = times_tolerance(value.yours[k], predicted[k], loose);
@@ -252,13 +262,15 @@ double misfit(const Operation& operation, const Value& value, const Tolerance& t
   return worst;
 }
 
-/// How many numbers the operation changes beyond the tolerance, without those that its parameter was derived from.
+/// How many numbers the operation changes beyond the tolerance in which it fits, without those that its parameter was
+/// derived from: a constant within rounding fits anything that is nearly right.
 int evidence(const Operation& operation, const std::vector<Value>& values, const Tolerance& tolerance) {
   int all = -operation.taken;
   for (const Value& value : values) {
     const Numbers predicted = operation.apply(value);
+    const Tolerance loose = loosened(tolerance, largest_of(predicted));
     int moved = 0;
-    for (std::size_t k = 0; k < predicted.size(); ++k) moved += !within(predicted[k], value.expected[k], tolerance);
+    for (std::size_t k = 0; k < predicted.size(); ++k) moved += !within(predicted[k], value.expected[k], loose);
     all += std::max(0, moved - operation.taken_of_value);
   }
   return all;
@@ -270,6 +282,19 @@ double worst_misfit(const Operation& operation, const std::vector<Value>& values
   return worst;
 }
 
+/// Whether all of these wrong values are right to a few floats' roundings, where only doubles' are allowed.
+bool have_float_precision(const std::vector<Value>& wrong, const Tolerance& tolerance) {
+  constexpr double one_rounding = 0x1p-24, few = 8, of_doubles = 1e-11;
+  return std::ranges::all_of(wrong, [&](const Value& value) {
+    const double largest = largest_of(value.expected);
+    if (!(largest > 0) || within(largest * (1 + one_rounding), largest, tolerance)) return false;
+    double worst = 0;
+    for (std::size_t k = 0; k < value.expected.size(); ++k)
+      worst = std::max(worst, std::abs(value.yours[k] - value.expected[k]));
+    return worst >= of_doubles * largest && worst <= few * one_rounding * largest;
+  });
+}
+
 }  // namespace
 
 std::optional<Hypothesis> explain_values(const std::vector<Numbers>& yours, const std::vector<Numbers>& expected,
@@ -279,6 +304,11 @@ std::optional<Hypothesis> explain_values(const std::vector<Numbers>& yours, cons
   std::vector<Value> wrong = all;
   std::erase_if(wrong, [&](const Value& value) { return is_right(value, c.tolerance); });
   if (wrong.empty()) return std::nullopt;
+  if (have_float_precision(wrong, c.tolerance))
+    return Hypothesis{"float-precision",
+                      fmt::format("{}{} returns numbers that are right to about seven digits, as exact as a float.",
+                                  wrong.size() == all.size() ? "" : "Where it is wrong, ", c.ask.probe),
+                      "The contract asks for more. Is everything a double on the way: each literal, each vector?"};
 
   std::vector<std::pair<double, Operation>> fitting;
   for (Operation& operation : operations_for(wrong, side)) {

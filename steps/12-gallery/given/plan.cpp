@@ -4,25 +4,21 @@
 #include <glm/gtc/constants.hpp>
 
 #include "12-gallery/gallery.hpp"
-#include "scene/shapes.hpp"
 
 namespace atelier {
 
 namespace {
 
-constexpr float wall_repeat = 10;
-
 double apothem(int segments) {
   return hall_radius * std::cos(glm::pi<double>() / segments);
 }
 
-/// An upright frame.
-glm::dmat4 frame_at(const glm::dvec3& centre, const glm::dvec3& ahead) {
+}  // namespace
+
+glm::dmat4 upright_frame(const glm::dvec3& centre, const glm::dvec3& ahead) {
   const glm::dvec3 up(0, 1, 0);
   return {glm::dvec4(glm::cross(up, ahead), 0), glm::dvec4(up, 0), glm::dvec4(ahead, 0), glm::dvec4(centre, 1)};
 }
-
-}  // namespace
 
 double painting_distance(int segments) {
   const double half_width = painting_half_size.x + 0.2;  // with the frame
@@ -30,7 +26,7 @@ double painting_distance(int segments) {
 }
 
 glm::dmat4 door_frame() {
-  return frame_at(bedroom_centre + glm::dvec3(0, painting_height, bedroom_size.z / 2 - painting_gap), {0, 0, -1});
+  return upright_frame(bedroom_centre + glm::dvec3(0, painting_height, bedroom_size.z / 2 - painting_gap), {0, 0, -1});
 }
 
 HallParts students_hall(int segments) {
@@ -38,24 +34,6 @@ HallParts students_hall(int segments) {
   for (int i = 0; i < paintings_in_hall; ++i)
     parts.paintings[std::size_t(i)] =
         gallery::painting_frame(i, paintings_in_hall, painting_distance(segments), painting_height);
-  return parts;
-}
-
-HallParts exact_hall(int segments) {
-  HallParts parts{.wall = make_cylinder_wall({.radius = float(hall_radius),
-                                              .height = float(hall_height),
-                                              .segments = segments,
-                                              .side = Side::inside,
-                                              .repeat = {wall_repeat, 1}})};
-  // The library's wall begins at +x; a quarter turn, clockwise from above, brings that corner to +z.
-  for (Vertex& vertex : parts.wall.vertices)
-    for (glm::vec3* v : {&vertex.position, &vertex.normal}) *v = {-v->z, v->y, v->x};
-  for (int i = 0; i < paintings_in_hall; ++i) {
-    const double turn = glm::two_pi<double>() * i / paintings_in_hall;
-    const glm::dvec3 ahead(std::sin(turn), 0, std::cos(turn));
-    parts.paintings[std::size_t(i)] =
-        frame_at(glm::dvec3(0, painting_height, 0) - painting_distance(segments) * ahead, ahead);
-  }
   return parts;
 }
 

@@ -69,18 +69,18 @@ Numbers probe_moved(ProbeContext&, const Arguments& in) {
   return numbers_of(visitor);
 }
 
-/// "walls": four numbers each. Whether all corners are inside, whether the way is not longer than `most`, and the
-/// position if `exact` is 1.
+/// "walls": four numbers each. How far the farthest corner is behind a wall, how much longer than `most` the way is,
+/// and the position if `exact` is 1.
 Numbers probe_held(ProbeContext&, const Arguments& in) {
   const auto& flat = in.numbers("walls");
   std::vector<glm::dvec4> walls;
   for (std::size_t i = 0; i + 4 <= flat.size(); i += 4)
     walls.emplace_back(flat[i], flat[i + 1], flat[i + 2], flat[i + 3]);
   const glm::dvec3 position = in.vec3("position"), at = held(walls, position);
-  bool inside = true;
+  double behind = 0;
   for (const glm::dvec4& wall : walls)
-    for (const glm::dvec3& corner : corners_of(at)) inside &= glm::dot(wall, glm::dvec4(corner, 1)) >= -1e-9;
-  Numbers out{double(inside), double(glm::distance(position, at) <= in.number("most"))};
+    for (const glm::dvec3& corner : corners_of(at)) behind = std::max(behind, -glm::dot(wall, glm::dvec4(corner, 1)));
+  Numbers out{behind, std::max(0.0, glm::distance(position, at) - in.number("most"))};
   if (in.number("exact") > 0.5) append(out, atelier::numbers_of(at));
   return out;
 }
@@ -101,8 +101,9 @@ Numbers probe_preview_camera(ProbeContext&, const Arguments& in) {
   const Camera camera =
       preview_camera(in.mat4("exit"), in.vec2("half_size"), in.number("distance"), float(in.number("far")));
   Numbers out = atelier::numbers_of(camera.eye);
-  append(out, atelier::numbers_of(glm::normalize(camera.target - camera.eye)));
-  append(out, atelier::numbers_of(glm::normalize(glm::dvec3(camera.up))));
+  const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye), up(camera.up);
+  append(out, atelier::numbers_of(ahead));
+  append(out, atelier::numbers_of(glm::normalize(up - glm::dot(up, ahead) * ahead)));  // as a picture shows it
   append(out, Numbers{double(camera.fov_y), double(camera.near), double(camera.far), double(camera.projection)});
   return out;
 }
@@ -122,59 +123,95 @@ Numbers bound(const Gl& gl) {
           double(integer_of(gl, GL_READ_FRAMEBUFFER_BINDING))};
 }
 
-/// What is bound afterwards; of each texture filters and wraps, size and format of the first and the last level, and
-/// whether there is another; whether the framebuffer is complete, and which map is attached to it.
+/// State that neither making nor recording a preview needs to change.
+std::vector<GLint> state_of(const Gl& gl) {
+  std::vector<GLint> state;
+  for (const GLenum name : {GL_ACTIVE_TEXTURE, GL_VIEWPORT, GL_SCISSOR_BOX, GL_SCISSOR_TEST, GL_DEPTH_TEST, GL_BLEND,
+                            GL_CULL_FACE, GL_STENCIL_TEST, GL_DEPTH_WRITEMASK, GL_COLOR_WRITEMASK, GL_COLOR_CLEAR_VALUE,
+                            GL_DEPTH_FUNC, GL_CURRENT_PROGRAM, GL_VERTEX_ARRAY_BINDING, GL_RENDERBUFFER_BINDING}) {
+    std::array<GLint, 4> values{};  // at most
+    gl.GetIntegerv(name, values.data());
+    state.insert(state.end(), values.begin(), values.end());
+  }
+  return state;
+}
+
+double changed(const std::vector<GLint>& before, const std::vector<GLint>& after) {
+  int count = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) count += before[i] != after[i];
+  return count;
+}
+
+/// Whether a texture's levels have the size that mipmaps have, down to one texel, and no more of them.
+bool has_all_levels(Gl& gl, int size) {
+  GLint most = 0;
+  gl.GetTexParameteriv(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, &most);
+  for (int level = 0;; ++level) {
+    const int side = size >> level;
+    GLint width = 0, height = 0;
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_WIDTH, &width);
+    gl.GetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_HEIGHT, &height);
+    if (width != side || height != side) return false;
+    if (side == 0) return true;
+    if (level > most) return false;
+  }
+}
+
+/// What is bound afterwards, and how much other state has changed; of each texture filters, wraps, format, size, and
+/// whether it has all levels; whether the framebuffer is complete, which map is attached to it, and what else.
 Numbers probe_make_preview(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
   const int size = in.integer("size");
+  const std::vector<GLint> before = state_of(gl);
   const Preview preview = make_preview(gl, size);
   const Owned owned(gl, preview);
   Numbers out = bound(gl);
-  const auto level = [&](int number) {
-    for (const GLenum name : {GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT, GL_TEXTURE_INTERNAL_FORMAT}) {
-      GLint value = 0;
-      gl.GetTexLevelParameteriv(GL_TEXTURE_2D, number, name, &value);
-      out.push_back(value);
-    }
-  };
-  int last = 0;
-  while (size >> (last + 1) > 0) ++last;
+  out.push_back(changed(before, state_of(gl)));
+  reset_state(gl);
+  gl.ActiveTexture(GL_TEXTURE0);
   for (const GLuint texture : preview.textures) {
-    if (!texture) return Numbers(45, 0);
+    if (!texture) return Numbers(31, 0);
     gl.BindTexture(GL_TEXTURE_2D, texture);
     append(out,
            texture_parameters(gl, GL_TEXTURE_2D,
                               {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}));
-    level(0);
-    level(last);
-    level(last + 1);
+    for (const GLenum name : {GL_TEXTURE_INTERNAL_FORMAT, GL_TEXTURE_WIDTH, GL_TEXTURE_HEIGHT}) {
+      GLint value = 0;
+      gl.GetTexLevelParameteriv(GL_TEXTURE_2D, 0, name, &value);
+      out.push_back(value);
+    }
+    out.push_back(has_all_levels(gl, size));
   }
   gl.BindTexture(GL_TEXTURE_2D, 0);
   gl.BindFramebuffer(GL_FRAMEBUFFER, preview.framebuffer);
   out.push_back(preview.framebuffer && gl.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE);
-  for (const GLenum place : {GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT}) {
+  const auto attached = [&](GLenum place) {
     GLint type = 0, name = 0;
     gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, &type);
-    if (type == GL_TEXTURE)
-      gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
-    out.push_back(type == GL_NONE ? 0 : GLuint(name) == preview.textures[0] ? 1 : 2);
-  }
+    if (type == GL_NONE) return 0;
+    gl.GetFramebufferAttachmentParameteriv(GL_FRAMEBUFFER, place, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+    return type == GL_TEXTURE && GLuint(name) == preview.textures[0] ? 1 : 2;
+  };
+  out.push_back(preview.framebuffer ? attached(GL_COLOR_ATTACHMENT0) : 0);
+  int others = 0;
+  if (preview.framebuffer)
+    for (const GLenum place : {GL_COLOR_ATTACHMENT0 + 1, GL_COLOR_ATTACHMENT0 + 2, GL_COLOR_ATTACHMENT0 + 3,
+                               GL_DEPTH_ATTACHMENT, GL_STENCIL_ATTACHMENT})
+      others += attached(place) != 0;
+  out.push_back(others);
   gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
   return out;
 }
 
-constexpr int tiny = 8;  ///< pixels: a side of the previews of probe_record
-
 /// A preview by given code, every map of which is 0.5.
-Preview plain_preview(Gl& gl) {
+Preview plain_preview(Gl& gl, int size) {
   Preview preview;
   gl.GenTextures(3, preview.textures.data());
   for (const GLuint texture : preview.textures) {
     gl.BindTexture(GL_TEXTURE_2D, texture);
-    for (int level = 0; tiny >> level > 0; ++level) {
-      const std::vector<float> pixels(std::size_t(tiny >> level) * std::size_t(tiny >> level) * 4, 0.5f);
-      gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, tiny >> level, tiny >> level, 0, GL_RGBA, GL_FLOAT,
-                    pixels.data());
+    for (int level = 0, side = size; side > 0; ++level, side /= 2) {
+      const std::vector<float> pixels(std::size_t(side) * std::size_t(side) * 4, 0.5f);
+      gl.TexImage2D(GL_TEXTURE_2D, level, GL_RGBA16F, side, side, 0, GL_RGBA, GL_FLOAT, pixels.data());
     }
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   }
@@ -186,58 +223,80 @@ Preview plain_preview(Gl& gl) {
   return preview;
 }
 
-/// Red of a map: two corners of level 0, and the one pixel of the last level.
-Numbers reds(Gl& gl, GLuint texture) {
+/// Red of a square texture: the lower left pixel, the upper left one, the upper right one.
+Numbers corners_of_picture(Gl& gl, GLuint texture, int size) {
+  const std::size_t side(static_cast<std::size_t>(size));
+  std::vector<float> pixels(side * side * 4);
   gl.BindTexture(GL_TEXTURE_2D, texture);
-  std::vector<float> pixels(std::size_t(tiny * tiny) * 4), last(4);
   gl.GetTexImage(GL_TEXTURE_2D, 0, GL_RGBA, GL_FLOAT, pixels.data());
-  gl.GetTexImage(GL_TEXTURE_2D, 3, GL_RGBA, GL_FLOAT, last.data());
   gl.BindTexture(GL_TEXTURE_2D, 0);
-  return {double(pixels.front()), double(pixels[pixels.size() - 4]), double(last[0])};
+  return {double(pixels.front()), double(pixels[(side - 1) * side * 4]), double(pixels[(side * side - 1) * 4])};
 }
 
-/// Records into each of `maps`, one after another, a picture that is black, but for its right half, whose red is
-/// 0.25 (i + 1); with a scissor rectangle in the way, if `scissor` is 1. What the three maps hold afterwards, what is
-/// bound, the state that must not change, and whether the picture is still what it was.
+double last_mipmap(Gl& gl, GLuint texture, int size) {
+  int last = 0;
+  while (size >> (last + 1) > 0) ++last;
+  std::array<float, 4> pixel{};
+  gl.BindTexture(GL_TEXTURE_2D, texture);
+  gl.GetTexImage(GL_TEXTURE_2D, last, GL_RGBA, GL_FLOAT, pixel.data());
+  gl.BindTexture(GL_TEXTURE_2D, 0);
+  return double(pixel[0]);
+}
+
+/// Records into each of `maps`, one after another, a picture that is black, but for its upper right quarter, whose red
+/// is 0.25 (i + 1); with a scissor rectangle in the way, if `scissor` is 1. What is bound afterwards, how much other
+/// state has changed, what the three maps hold, and whether the picture is still what it was.
 Numbers probe_record(ProbeContext& context, const Arguments& in) {
   Gl& gl = context.gl;
-  const Preview preview = plain_preview(gl);
+  const int size = in.integer("size"), half = size / 2;
+  const Preview preview = plain_preview(gl, size);
   const Owned owned(gl, preview);
-  const Target picture(gl, {.width = tiny, .height = tiny, .colour = ColourFormat::rgba16f});
+  const Target picture(gl, {.width = size, .height = size, .colour = ColourFormat::rgba16f});
   reset_state(gl);
-  const bool scissor = in.number("scissor") > 0.5;
+  const auto parameters_of_maps = [&] {
+    std::vector<GLint> all;
+    for (const GLuint texture : preview.textures) {
+      gl.BindTexture(GL_TEXTURE_2D, texture);
+      for (const GLenum name :
+           {GL_TEXTURE_MAG_FILTER, GL_TEXTURE_MIN_FILTER, GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_MAX_LEVEL})
+        gl.GetTexParameteriv(GL_TEXTURE_2D, name, &all.emplace_back());
+    }
+    gl.BindTexture(GL_TEXTURE_2D, 0);
+    return all;
+  };
+  const std::vector<GLint> parameters = parameters_of_maps();
+  double other_state = 0;
   const auto& maps = in.numbers("maps");
   for (std::size_t i = 0; i < maps.size(); ++i) {
     picture.bind(gl);
     gl.ClearColor(0, 0, 0, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     gl.Enable(GL_SCISSOR_TEST);
-    gl.Scissor(tiny / 2, 0, tiny / 2, tiny);
+    gl.Scissor(half, half, half, half);
     gl.ClearColor(0.25f * float(i + 1), 0, 0, 1);
     gl.Clear(GL_COLOR_BUFFER_BIT);
     gl.Scissor(1, 1, 2, 2);
-    if (!scissor) gl.Disable(GL_SCISSOR_TEST);
+    if (in.number("scissor") < 0.5) gl.Disable(GL_SCISSOR_TEST);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     gl.Viewport(0, 0, 3, 2);
+    const std::vector<GLint> before = state_of(gl);
     record(gl, preview, Map(int(maps[i])), picture.framebuffer());
+    other_state += changed(before, state_of(gl));
   }
-  Numbers out;
-  append(out, bound(gl));
-  std::array<GLint, 4> viewport{}, box{};
-  gl.GetIntegerv(GL_VIEWPORT, viewport.data());
-  gl.GetIntegerv(GL_SCISSOR_BOX, box.data());
-  append(out, viewport);
-  append(out, box);
-  out.push_back(gl.IsEnabled(GL_SCISSOR_TEST));
+  Numbers out = bound(gl);
   reset_state(gl);
-  for (const GLuint texture : preview.textures) append(out, reds(gl, texture));
-  append(out, reds(gl, picture.colour_texture()));
-  out.pop_back();  // it has no mipmaps
+  gl.ActiveTexture(GL_TEXTURE0);
+  out.push_back(other_state + changed(parameters, parameters_of_maps()));
+  for (const GLuint texture : preview.textures) {
+    append(out, corners_of_picture(gl, texture, size));
+    out.push_back(last_mipmap(gl, texture, size));
+  }
+  append(out, corners_of_picture(gl, picture.colour_texture(), size));
   return out;
 }
 
-/// "visible", "recorded", "recorded_of", "frames_since", "version": one number for each preview. How many are recorded,
-/// then which.
+/// "visible", "recorded", "recorded_of", "frames_since", "version": one number for each preview. Which are recorded, in
+/// their order; -1 in the places of those that are not.
 Numbers probe_previews_to_record(ProbeContext&, const Arguments& in) {
   std::vector<PreviewState> states(in.numbers("visible").size());
   const auto number = [&](const char* name, std::size_t i) { return in.numbers(name).at(i); };
@@ -247,9 +306,9 @@ Numbers probe_previews_to_record(ProbeContext&, const Arguments& in) {
                  .recorded = number("recorded", i) > 0.5,
                  .recorded_of = std::uint64_t(number("recorded_of", i)),
                  .frames_since = std::uint64_t(number("frames_since", i))};
-  const std::vector<int> wanted = previews_to_record(states, in.integer("most"));
-  Numbers out{double(wanted.size())};
-  append(out, wanted);
+  Numbers out;
+  append(out, previews_to_record(states, in.integer("most")));
+  out.resize(std::max(out.size(), states.size()), -1);
   return out;
 }
 

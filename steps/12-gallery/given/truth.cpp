@@ -13,6 +13,7 @@
 #include "06-parallax-mapping/given/truth.hpp"
 #include "09-dithering/given/truth.hpp"
 #include "10-artstyles/given/truth.hpp"
+#include "12-gallery/given/exact_hall.hpp"
 #include "12-gallery/given/previews.hpp"
 #include "12-gallery/given/room_styles.hpp"
 #include "12-gallery/given/scenes.hpp"

@@ -94,7 +94,9 @@ void Ground::advance(Guest& guest, Script& script, double seconds) const {
     goal = glm::dvec3(paintings_[std::size_t(script.next % paintings_in_hall)][3]);
   } else {
     if (visitor.position.z < bedroom_centre.z + 0.3) script.turned_back = true;
-    goal = script.turned_back ? glm::dvec3(door_frame()[3]) : bedroom_centre + glm::dvec3(-0.3, 0, -0.4);
+    // In every second room to a place behind the wall on the left, and so along it.
+    const double aside = script.next % 2 == 0 ? -0.3 : -3;
+    goal = script.turned_back ? glm::dvec3(door_frame()[3]) : bedroom_centre + glm::dvec3(aside, 0, -0.4);
   }
   const glm::dvec3 way = goal - visitor.position;
   const double turn = turn_between(guest.heading, heading_of(glm::dvec3(way.x, 0, way.z)));

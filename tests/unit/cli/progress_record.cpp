@@ -50,6 +50,19 @@ TEST_CASE("a missing record is empty, and a written one is read back") {
   CHECK(!again.at("99-from-a-later-course").check);
 }
 
+TEST_CASE("a record keeps the name of every function of the course") {
+  for (const char* name : {"turn", "make_preview", "u", "srgbEncode", "shadow_factor_0"}) {
+    INFO(name);
+    const TemporaryFolder folder;
+    ProgressRecord record;
+    judge::StepResult failed = result_of(Status::passed, Status::failed, 4);
+    failed.causes.push_back({.kind = judge::Cause::Kind::function, .functions = {name}, .shown = {1}});
+    record_check(record, failed, digest);
+    write_progress(folder.path() / "progress.json", record);
+    CHECK(read_progress(folder.path() / "progress.json").at("01-move").check->wrong_function == name);
+  }
+}
+
 TEST_CASE("a check replaces the previous one; the best score and the hints stay") {
   ProgressRecord record;
   record_check(record, result_of(Status::passed, Status::passed, 10), digest);

@@ -67,6 +67,14 @@ class Step {
   /// A second probe of the function near, which "split" does not change.
   void ask_near_again() { add(probe("near-again", "near"), {"near"}, {}, {{{0}, {0}}}); }
 
+  /// A probe of near and far together, whose first function is near.
+  void ask_both() {
+    JudgedCase both = probe("both", "near");
+    both.functions = {"near", "far"};
+    both.together = true;
+    add(both, {"near", "far"}, {}, {{{0}, {0}}});
+  }
+
   void answer(const std::string& name, const Values& values) {
     const std::size_t i = index(name);
     Answer answer;
@@ -308,4 +316,24 @@ TEST_CASE("what took too long comes before the cases that were not run because o
   CHECK(result.causes[0].functions == std::vector<std::string>{"near"});
   CHECK(result.causes[1].kind == Cause::Kind::no_answer);
   CHECK(result.causes[1].shown.size() == 3);
+}
+
+TEST_CASE("a probe of several functions together accuses none that its own probes clear", "[causes]") {
+  Step step;
+  step.ask_both();
+  SECTION("one of them is wrong by its own probe") {
+    step.answer("far", {{7}, {7}});
+    step.answer("both", {{9}, {9}});
+    const StepResult& result = step.explained();
+    REQUIRE(result.causes.size() == 1);
+    CHECK(result.causes[0].functions == std::vector<std::string>{"far"});
+    CHECK(waiting(result, 0) == "both ");
+  }
+  SECTION("none is") {
+    step.answer("both", {{9}, {9}});
+    const StepResult& result = step.explained();
+    REQUIRE(result.causes.size() == 1);
+    CHECK(result.causes[0].kind == Cause::Kind::picture);
+    CHECK(headlines(result).find("near") == std::string::npos);
+  }
 }

@@ -183,10 +183,9 @@ TEST_CASE("the sentence names the first that differs") {
   REQUIRE(first_to_differ(report) == &report.rows[1]);
   report.functions_of = "01-transforms";
   report.functions = {"world_normal"};
-  CHECK(
-      pixel_sentence(report) ==
-      "The normal is the first to differ: yours points 14.3 degrees away (0.5 degrees are allowed). Look at "
-      "world_normal (01-transforms), and at what it calls.");
+  CHECK(pixel_sentence(report) ==
+        "The normal is the first to differ: yours points 14.3 degrees away (0.5 degrees are allowed). Look at "
+        "world_normal (01-transforms), and at what it calls.");
 
   SECTION("of this step, several") {
     report.functions_of = report.step;

@@ -176,6 +176,27 @@ TEST_CASE("single numbers: a factor and a constant are found over several inputs
                    right);
 }
 
+TEST_CASE("a float's precision where doubles are asked is said, and no constant is made of it") {
+  JudgedCase c = case_of(2);
+  c.tolerance = {1e-9, 0, 0, "doubles"};
+  const std::vector<Numbers> expected = {{1000.123456789, -3.14159265358979}, {0.1, 700.000000017}};
+  std::vector<Numbers> floats = expected, shifted = expected, far_off = expected;
+  for (Numbers& row : floats)
+    for (double& x : row) x = double(float(x));
+  for (Numbers& row : shifted)
+    for (double& x : row) x -= 4.371e-8;
+  for (Numbers& row : far_off)
+    for (double& x : row) x -= 0.5;
+  CHECK(explain_values(floats, expected, c)->name == "float-precision");
+  CHECK(explain_values(shifted, expected, c)->name == "float-precision");
+  CHECK(explain_values(far_off, expected, c)->name == "offset");
+  c.tolerance = {1e-3, 0, 0, "floats"};  // as exact as the case asks: it is something else
+  std::vector<Numbers> wrong = expected;
+  wrong[0][0] += 0.002;
+  const auto other = explain_values(wrong, expected, c);
+  CHECK((!other || other->name != "float-precision"));
+}
+
 TEST_CASE("equally good explanations are listed") {
   const Matrix turn = glm::rotate(Matrix(1), 0.7, {0.6, 0.0, 0.8});
   const auto found = explained({numbers(glm::transpose(turn))}, {numbers(turn)});
