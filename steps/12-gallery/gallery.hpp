@@ -27,7 +27,9 @@ namespace atelier::gallery {
 /// the circle of this radius around the y axis, from y = 0 to y = height. One corner stands at +z, where the wall ends
 /// without a gap. Front faces are counter-clockwise from inside; normals are of unit length, and those of the circle.
 /// The texture runs `repeat` times around, u from 0 at +z to `repeat` at +z again, so that it is not mirrored from
-/// inside; v is 0 at the floor and 1 at the top. Any triangles will do. Handout, section 1.
+/// inside; v is 0 at the floor and 1 at the top. Any triangles will do whose vertices stand at the corners of the
+/// circle. Handout, section 1.
+///
 /// Four segments, radius 2: corners at (0, y, 2), (-2, y, 0), (0, y, -2), (2, y, 0), in the order of u.
 Mesh hall_wall(int segments, float radius, float height, float repeat);
 
@@ -81,10 +83,11 @@ Visitor gone_through(const Visitor& visitor, const glm::dmat4& entry, const glm:
 
 inline constexpr double gravity = 9.81;  // m/s^2, downwards
 
-/// A visitor after `seconds` (0 or more). In the air (the box's lower side is above y = 0, or its velocity points up)
-/// it flies: gravity changes the velocity, and nothing else does. It lands where its lower side reaches y = 0; from
-/// then on it walks with the horizontal velocity `walking` (x and z, m/s), and the velocity's y is 0. Exact: two steps
-/// of half the time lead to the same place as one, up to rounding, also if it lands on the way. Handout, section 3.
+/// A visitor after `seconds`, from 0 up to an hour and more. In the air (the box's lower side is above y = 0, or its
+/// velocity points up) it flies: gravity changes the velocity, and nothing else does. It lands where its lower side
+/// reaches y = 0; from then on it walks with the horizontal velocity `walking` (x and z, m/s), and the velocity's y is
+/// 0. Exact: two steps of half the time lead to the same place as one, up to rounding, also if it lands on the way.
+/// Handout, section 3.
 Visitor moved(const Visitor& visitor, const glm::dvec2& walking, double seconds);
 
 /// Where the walls of a place hold a visitor: a position at which no corner of the box is behind a wall by more than
@@ -115,7 +118,8 @@ struct Preview {
 
 /// Creates the maps of a painting, with `size` pixels a side: textures of format GL_RGBA16F with all their mipmaps,
 /// filtered linearly between texels and between mipmaps, clamped to the edge. The framebuffer has the colour map as its
-/// first colour attachment, and no other attachment. Leaves no texture and no framebuffer bound. Handout, section 4.
+/// first colour attachment, and no other attachment. Leaves no texture and no framebuffer bound, and other state as it
+/// is. Handout, section 4.
 Preview make_preview(Gl& gl, int size);
 
 /// Copies a picture into a map of a preview, whose size it has, and makes the map's mipmaps. `picture` is a framebuffer

@@ -180,14 +180,14 @@ class Packer {
   static std::string page_path(const std::string& page) { return "handouts/" + page + ".md"; }
 
   /// A page of the handouts, with its pictures and the pages that it links. A link to the handout of a step that is not
-  /// packed becomes plain text.
+  /// packed, and one that leads out of the folder, becomes plain text.
   void pack_page(const std::string& page) {
     std::string text = read_file(folders_.root / page_path(page));
     put(page_path(page), "");  // pages may link each other
     static const std::regex picture(R"(\]\(((?:pictures|plots)/[A-Za-z0-9._-]+)\))");
     for (std::sregex_iterator it(text.begin(), text.end(), picture), end; it != end; ++it)
       take("handouts/" + (*it)[1].str());
-    static const std::regex link(R"(\[([^\]]*)\]\(([a-z0-9][A-Za-z0-9-]*)\.md(#[^)]*)?\))");
+    static const std::regex link(R"(\[([^\]]*)\]\(((?:\.\./)?[a-z0-9][A-Za-z0-9/-]*)\.md(#[^)]*)?\))");
     std::string out;
     auto rest = text.cbegin();
     for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
@@ -200,6 +200,7 @@ class Packer {
 
   /// Whether a page that another one links is in the release; packs it if it is not the handout of a step.
   bool is_packed(const std::string& page) {
+    if (page.starts_with("../")) return false;
     if (std::isdigit(static_cast<unsigned char>(page.front())))
       return std::ranges::any_of(with_earlier_, [&](const CourseStep& step) { return step.name == page; });
     if (!release_.files.contains(page_path(page))) pack_page(page);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <set>
 
 #include "base/near_names.hpp"
 #include "base/printable.hpp"
@@ -171,9 +172,14 @@ std::string why_refused(const std::string& target, const std::vector<std::string
     if (header == name || header.ends_with("/" + name)) return fmt::format("write #include \"{}\"", header);
   if (angled)
     return "only headers for computation, containers and printing are; a step needs no files, threads or libraries";
-  return contract_headers.empty()
+  // The contracts themselves; what they include may be included too, and would be a long list.
+  std::set<std::string> contracts;
+  for (const std::string& header : contract_headers)
+    if (std::ranges::count(header, '/') < 2) contracts.insert(header);
+  return contracts.empty()
              ? "a step is built only from its listed files"
-             : "a step is built only from its listed files and from \"" + join(contract_headers, "\", \"") + '"';
+             : fmt::format("a step is built only from its listed files and from \"{}\" and what they include",
+                           fmt::join(contracts, "\", \""));
 }
 
 bool allowed(const std::string& target, const std::string& step, const std::vector<std::string>& contract_headers) {

@@ -63,7 +63,7 @@ Settings settings_of(gallery::Style style, const Settings& settings) {
       break;
     case gallery::Style::aberration:
       of.set("style.first", "aberration");
-      of.set("aberration.amount", 0.03);
+      of.set("aberration.amount", 0.06);
       of.set("aberration.turns", settings.real("style.turns"));
       break;
   }

@@ -90,7 +90,8 @@ struct Project {
     write("handouts/01-move.md", "![a](pictures/01-a.png), ![e](plots/01-error.svg), then [light](02-light.md#top).");
     write("handouts/02-light.md", "![a](pictures/02-a.png), after [moving](01-move.md#top), in [a frame](frame.md).");
     write("handouts/frame.md",
-          "![f](pictures/frame.png) of [light](02-light.md), [moving](01-move.md), [paint](03-paint.md)");
+          "![f](pictures/frame.png) of [light](02-light.md), [moving](01-move.md), [paint](03-paint.md), "
+          "[docs](../docs/look.md)");
     write("handouts/unlinked.md", "a page that no handout links");
     write("solutions/01-move/move.cpp", marked(secret));
     write("solutions/01-move/move.glsl", "vec3 all_given();\n");
@@ -211,7 +212,7 @@ TEST_CASE("a release contains exactly its list") {
     CHECK(release.earlier == std::vector<std::string>{"01-move"});
     CHECK(mentions(release.files.at("handouts/02-light.md").bytes, {"[moving](01-move.md#top)"}));
     CHECK(mentions(release.files.at("handouts/frame.md").bytes,
-                   {"of [light](02-light.md), [moving](01-move.md), paint"}));
+                   {"of [light](02-light.md), [moving](01-move.md), paint, docs"}));
   }
   SECTION("all") {
     const Release release = project.release(course);
