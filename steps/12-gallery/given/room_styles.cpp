@@ -19,7 +19,7 @@ std::vector<SettingSpec> room_style_settings() {
        .high = 4,
        .help = "of brushes and grids of the painterly style"},
       {.name = "style.turns",
-       .fallback = 0.1,
+       .fallback = 0.25,
        .low = 0,
        .high = 10,
        .help = "periods of the aberration that have passed"},
