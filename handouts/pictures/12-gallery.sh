@@ -61,3 +61,6 @@ for room in 0 3; do
   done
 done
 sheet 12-maps 3 "${tiles[@]}"
+
+mistakes $step 12-mistakes hall--{wall-inside-out,wall-normals,painting-axis-reversed} \
+  previews--{preview-angle,preview-before-exit,record-always-colour} painting-toon--{style-off-by-one,paintings-clockwise}
