@@ -237,7 +237,7 @@ std::vector<int> previews_to_record(std::span<const PreviewState> previews, int 
     return first.recorded && first.frames_since > second.frames_since;
   };
   std::ranges::stable_sort(wanted, before);
-  if (int(wanted.size()) > most) wanted.resize(std::size_t(std::max(most, 0)));
+  if (int(wanted.size()) > most) wanted.resize(std::size_t(most));
   return wanted;
   // --- skeleton
   // | static_cast<void>(previews), static_cast<void>(most);

@@ -137,7 +137,7 @@ struct PreviewState {
 };
 
 /// The previews that are recorded in this frame, by index, in the order in which they are: those in view that were
-/// never recorded or show another version, at most `most` of them. Those that were never recorded come
+/// never recorded or show another version, at most `most` of them (0 or more). Those that were never recorded come
 /// first, then those that have waited longest; of equals the one with the lower index. Handout, section 5.
 std::vector<int> previews_to_record(std::span<const PreviewState> previews, int most);
 

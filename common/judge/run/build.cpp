@@ -12,10 +12,11 @@
 #include "base/folder_lock.hpp"
 #include "base/near_names.hpp"
 #include "base/printable.hpp"
-#include "base/process.hpp"
 #include "base/strict_json.hpp"
 #include "judge/run/build_record.hpp"
 #include "judge/run/includes.hpp"
+#include "judge/run/opened_files.hpp"
+#include "judge/run/run_tool.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -78,33 +79,6 @@ void remove_older(const fs::path& library) {
   fs::remove(library, ignored);
 }
 
-/// Compiler messages in English with plain quotes, whatever the user's locale, so that reports do not depend on it.
-std::map<std::string, std::string> compiler_environment() {
-  std::map<std::string, std::string> environment = {{"LC_ALL", "C"}};
-  for (const char* name : {"PATH", "HOME", "TMPDIR", "CCACHE_DIR"})
-    if (const char* value = std::getenv(name)) environment[name] = value;
-  return environment;
-}
-
-/// Runs a compiler or linker in the folder of the sources. Its output goes to `log`, after a reason if it timed out,
-/// crashed or failed silently.
-bool run_tool(std::vector<std::string> arguments, const fs::path& folder, const std::string& task,
-              milliseconds time_limit, std::string& log) {
-  const Finished finished = run_process({.arguments = std::move(arguments),
-                                         .folder = folder,
-                                         .environment = compiler_environment(),
-                                         .time_limit = time_limit,
-                                         .output_limit = log_limit});
-  log = printable(finished.output, Layout::keep_lines);
-  if (finished.timed_out)
-    log = fmt::format("{}: took longer than {} s and was killed\n", task, time_limit.count() / 1000.0) + log;
-  else if (finished.signal != 0)
-    log = fmt::format("{}: the compiler crashed: {}\n", task, signal_name(finished.signal)) + log;
-  else if (!finished.ok() && log.empty())
-    log = fmt::format("{}: failed with status {} and no message\n", task, finished.exit_status);
-  return finished.ok();
-}
-
 void append(std::vector<std::string>& list, const std::vector<std::string>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
@@ -149,6 +123,12 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
   Outcome outcome{.ok = false, .fresh = true, .log = {}};
+  const Opened opened =
+      check_opened_files(flags, step, compile_options(flags, step), sources, source, objects, time_limit);
+  if (!opened.allowed) {
+    outcome.log = opened.log;
+    return outcome;
+  }
   outcome.ok = run_tool(recipe.command, sources, source, time_limit, outcome.log);
   if (!outcome.ok) return outcome;
 

@@ -222,6 +222,14 @@ std::vector<Include> find_includes(std::string_view source) {
   return includes;
 }
 
+std::string text_with_all_headers(const std::vector<std::string>& contract_headers) {
+  std::string text = "#include <glm/glm.hpp>\n";
+  for (const std::string_view header : allowed_standard_headers)
+    text += fmt::format("#if __has_include(<{0}>)\n#include <{0}>\n#endif\n", header);
+  for (const std::string& header : contract_headers) text += fmt::format("#include \"{}\"\n", header);
+  return text;
+}
+
 std::string refused_includes(std::string_view source, const std::string& file, const std::string& step,
                              const std::vector<std::string>& contract_headers) {
   std::string refused;

@@ -2,7 +2,7 @@
 // library.
 //
 // A student must write look_at, for example, but <glm/gtc/matrix_transform.hpp> already has it. The check refuses such
-// short cuts before the compiler runs. It is a rule of the course, not a security measure.
+// short cuts before the compiler runs, and says why. What the compiler opens is checked too (opened_files.hpp).
 #pragma once
 
 #include <string>
@@ -25,5 +25,8 @@ std::vector<Include> find_includes(std::string_view source);
 /// library header. Empty if all are allowed.
 std::string refused_includes(std::string_view source, const std::string& file, const std::string& step,
                              const std::vector<std::string>& contract_headers);
+
+/// A source text that includes every header that a step with these contract headers may use.
+std::string text_with_all_headers(const std::vector<std::string>& contract_headers);
 
 }  // namespace atelier::judge

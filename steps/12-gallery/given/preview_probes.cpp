@@ -10,11 +10,9 @@
 #include "gl/state.hpp"
 #include "gl/target.hpp"
 
-namespace atelier {
+namespace atelier::gallery {
 
 namespace {
-
-using namespace gallery;
 
 Numbers probe_preview_camera(ProbeContext&, const Arguments& in) {
   const Camera camera =
@@ -233,7 +231,12 @@ Numbers probe_previews_to_record(ProbeContext&, const Arguments& in) {
 
 }  // namespace
 
+}  // namespace atelier::gallery
+
+namespace atelier {
+
 std::map<std::string, Probe> preview_probes() {
+  using namespace gallery;
   return {{"preview_camera", probe_preview_camera},
           {"make_preview", probe_make_preview},
           {"record", probe_record},

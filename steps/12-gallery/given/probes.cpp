@@ -8,11 +8,9 @@
 #include "12-gallery/given/walk.hpp"
 #include "12-gallery/given/wall_probe.hpp"
 
-namespace atelier {
+namespace atelier::gallery {
 
 namespace {
-
-using namespace gallery;
 
 std::array<glm::dvec3, 8> eight_corners(const Arguments& in) {
   const auto& flat = in.numbers("corners");
@@ -92,7 +90,12 @@ Numbers probe_walk(ProbeContext&, const Arguments& in) {
 
 }  // namespace
 
+}  // namespace atelier::gallery
+
+namespace atelier {
+
 std::map<std::string, Probe> gallery_probes() {
+  using namespace gallery;
   std::map<std::string, Probe> probes = preview_probes();
   probes.merge(std::map<std::string, Probe>{
       {"hall_wall",
