@@ -175,7 +175,8 @@ void describe_for_students(Interface& interface, AllOptions& options) {
 void describe_for_graders(Interface& interface, AllOptions& options) {
   GradeOptions& grade = options.grade;
   CLI::App* command = interface.add("grade", "Grade a submission", grade, run_grade);
-  command->add_option("submission", grade.submission, "A folder that contains a folder for each step, or a ZIP of it")
+  command
+      ->add_option("submission", grade.submission, "A folder that contains a folder for each step, or an archive of it")
       ->required();
   command->add_option("--out", grade.out, "Folder of the results; default: out/grade/NAME");
   command->add_option("--step", grade.steps, "Grade this step, even if it is absent; can be repeated");

@@ -43,20 +43,10 @@ std::vector<std::string> list_folder(const fs::path& folder) {
   return paths;
 }
 
-std::vector<std::string> folders_of_steps(const judge::StepFlags& flags, const std::vector<std::string>& paths) {
-  std::set<std::string> found;
-  for (const std::string& path : paths) {
-    std::string front;
-    for (const std::string& part : parts_of(path)) {
-      if (flags.files.contains(part)) {
-        found.insert(shorten(printable(front), max_name));
-        break;
-      }
-      front += (front.empty() ? "" : "/") + part;
-    }
-    if (found.size() == max_found) break;
-  }
-  return {found.begin(), found.end()};
+bool has_folders_of_steps(const judge::StepFlags& flags, const std::vector<std::string>& paths) {
+  return std::ranges::any_of(paths, [&](const std::string& path) {
+    return std::ranges::any_of(parts_of(path), [&](const std::string& part) { return flags.files.contains(part); });
+  });
 }
 
 std::vector<std::string> stray_files(const judge::StepFlags& flags, const std::vector<std::string>& paths) {

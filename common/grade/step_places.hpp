@@ -12,8 +12,8 @@ namespace atelier::grade {
 /// The contents of a folder as relative paths: four levels deep, without following links, at most 10 000 entries.
 std::vector<std::string> list_folder(const std::filesystem::path& folder);
 
-/// The folders that hold folders of steps: "" for the top, "hw1/src". `paths` are relative paths of files and folders.
-std::vector<std::string> folders_of_steps(const judge::StepFlags& flags, const std::vector<std::string>& paths);
+/// Whether any of these relative paths of files and folders leads through the folder of a step.
+bool has_folders_of_steps(const judge::StepFlags& flags, const std::vector<std::string>& paths);
 
 /// The students' files that are not in a step's folder, each with the step that it belongs to: "move.cpp belongs in
 /// 01-move/".

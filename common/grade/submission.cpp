@@ -3,13 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/near_names.hpp"
 #include "base/printable.hpp"
+#include "base/utf16.hpp"
+#include "grade/archive.hpp"
 #include "grade/step_places.hpp"
-#include "grade/unzip.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -42,18 +45,37 @@ bool holds_steps(const judge::StepFlags& flags, const fs::path& folder) {
                      [&](const auto& step) { return exists_unfollowed(folder / step.first); });
 }
 
-/// The folder that holds the steps: `source`, or the only folder in it that does.
+/// The folders in these folders, in their order. Links are not followed; what Macs and version control keep there is no
+/// student's.
+std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> found;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(folder, error)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(".") || name == "__MACOSX") continue;
+      if (entry.symlink_status(error).type() == fs::file_type::directory) found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The folder that holds the steps: `source`, or the only one that does on the next level below it that has any.
 fs::path folder_with_steps(const judge::StepFlags& flags, const fs::path& source) {
+  constexpr int most_levels = 8;
+  constexpr std::size_t most_folders = 10'000;
   if (holds_steps(flags, source)) return source;
-  std::vector<fs::path> holders;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(source, error))
-    if (entry.symlink_status(error).type() == fs::file_type::directory && holds_steps(flags, entry.path()))
-      holders.push_back(entry.path());
-  std::sort(holders.begin(), holders.end());
+  std::vector<fs::path> level = folders_in({source}), holders;
+  for (int depth = 1; depth <= most_levels && level.size() <= most_folders && holders.empty(); ++depth) {
+    std::ranges::copy_if(level, std::back_inserter(holders),
+                         [&](const fs::path& folder) { return holds_steps(flags, folder); });
+    if (holders.empty()) level = folders_in(level);
+  }
   if (holders.size() > 1)
     throw Error(fmt::format("{}: has steps in two folders, '{}' and '{}'; name one of them", source.string(),
-                            printable(holders[0].filename().string()), printable(holders[1].filename().string())));
+                            printable(holders[0].lexically_relative(source).string()),
+                            printable(holders[1].lexically_relative(source).string())));
   return holders.empty() ? source : holders.front();
 }
 
@@ -79,7 +101,7 @@ std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path&
   std::set<std::string> wanted;
   for (const auto& [step, files] : flags.files)
     for (const std::string& file : files) wanted.insert(step + "/" + file);
-  const ZipContents contents = read_zip(source, wanted);
+  const ArchiveContents contents = read_archive(source, wanted);
   const auto step_of = [](const std::string& name) { return name.substr(0, name.find('/')); };
   for (const auto& [name, bytes] : contents.files) {
     submission.present.insert(step_of(name));
@@ -96,9 +118,23 @@ std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path&
       const std::string name = step + "/" + file;
       if (contents.files.contains(name)) continue;
       const auto found = contents.unusable.find(name);
+      if (found == contents.unusable.end() && judge::may_miss(file)) continue;
       submission.unusable[step][file] = found == contents.unusable.end() ? judge::is_missing : found->second;
     }
   return contents.names;
+}
+
+/// Compilers read no UTF-16.
+void convert_texts(const judge::StepFlags& flags, Submission& submission) {
+  for (const std::string& step : submission.present)
+    for (const std::string& file : flags.files.at(step)) {
+      const fs::path copy = submission.folder / step / file;
+      if (!fs::exists(copy)) continue;
+      const std::optional<std::string> text = from_utf16(read_file(copy));
+      if (!text) continue;
+      write_file(copy, *text);
+      submission.notes.push_back(fmt::format("{}/{} was UTF-16 and is read as UTF-8", step, file));
+    }
 }
 
 /// Says in one line why there is no step: where steps or their files were found, and what was skipped.
@@ -109,17 +145,10 @@ std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path&
   std::string words =
       fmt::format("{}: has none of the steps; it must have folders such as {}", source.string(), join(steps));
 
-  const std::vector<std::string> found = folders_of_steps(flags, paths);
-  std::vector<std::string> deeper = found;
-  std::erase_if(deeper, [&](const std::string& front) { return front.find('/') == std::string::npos; });
   const fs::path whole = fs::weakly_canonical(source);
   if (flags.files.contains(whole.filename().string()))
     words += fmt::format("; it is the folder of one step: name its parent folder, {}", whole.parent_path().string());
-  else if (!deeper.empty() && !submission.source.empty())
-    words += fmt::format("; steps were found in {}: name that folder", (source / deeper.front()).string());
-  else if (!deeper.empty())
-    words += fmt::format("; steps were found in {}: they must be at the top or one folder below it", join(deeper));
-  else if (!found.empty() && submission.notes.empty())
+  else if (has_folders_of_steps(flags, paths) && submission.notes.empty())
     words += "; it has folders of steps, but none of their files";
   else if (const auto stray = stray_files(flags, paths); !stray.empty())
     words += "; " + join(stray);
@@ -130,7 +159,8 @@ std::vector<std::string> take_zip(const judge::StepFlags& flags, const fs::path&
 /// The last part of the path, also for "solutions/", "." and "..".
 std::string name_of(const fs::path& source) {
   fs::path path = fs::weakly_canonical(source);
-  if (path.extension() == ".zip") path = path.stem();
+  const std::set<std::string> of_archives = {".zip", ".tar", ".gz", ".tgz", ".xz", ".txz", ".7z"};
+  while (of_archives.contains(path.extension().string()) && path.stem() != path) path = path.stem();
   const std::string name = printable(path.filename().string());
   return name.empty() || name == "." || name == ".." ? "submission" : name;  // "...zip" has the stem ".."
 }
@@ -151,6 +181,7 @@ Submission take_submission(const judge::StepFlags& flags, const fs::path& source
   } else {
     paths = take_zip(flags, source, submission);
   }
+  convert_texts(flags, submission);
   keep_first(submission.notes);
   if (submission.present.empty()) refuse_without_steps(flags, source, submission, paths);
   return submission;

@@ -24,10 +24,11 @@ struct Submission {
 
 inline constexpr std::size_t max_notes = 20;  ///< if there are more, the last entry says how many
 
-/// Copies each usable listed file of each step (judge/run/source_file.hpp) into `folder`, which is created if missing.
-/// The steps' folders are in `source`, or in the only folder inside it that has any. A step is present if its folder
-/// exists or, in an archive, any of its listed files. Throws Error naming `source` if it is neither a folder nor a
-/// valid ZIP, or has none of the steps; the message says where steps were found.
+/// Copies each usable listed file of each step (judge/run/source_file.hpp) into `folder`, which is created if missing;
+/// UTF-16 becomes UTF-8, with a note. The steps' folders are in `source`, or in the only folder that has any on the
+/// next level below it. A step is present if its folder exists or, in an archive, any of its listed files. Throws Error
+/// naming `source` if it is neither a folder nor a valid ZIP, or has none of the steps; the message says where steps
+/// were found.
 Submission take_submission(const judge::StepFlags& flags, const std::filesystem::path& source,
                            const std::filesystem::path& folder);
 

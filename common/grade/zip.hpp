@@ -1,4 +1,4 @@
-// Writes ZIP archives for releases and submissions. unzip.hpp reads them.
+// Writes ZIP archives for releases and submissions. archive.hpp reads them.
 #pragma once
 
 #include <filesystem>

@@ -14,6 +14,7 @@
 #include "base/printable.hpp"
 #include "base/strict_json.hpp"
 #include "judge/run/build_record.hpp"
+#include "judge/run/choices_file.hpp"
 #include "judge/run/includes.hpp"
 #include "judge/run/opened_files.hpp"
 #include "judge/run/run_tool.hpp"
@@ -58,7 +59,8 @@ const std::vector<std::string>& files_of(const StepFlags& flags, const std::stri
 UnusableFiles missing_files(const StepFlags& flags, const std::string& step, const fs::path& sources) {
   UnusableFiles missing;
   for (const std::string& name : files_of(flags, step))
-    if (const std::string why = why_unusable(sources / name); !why.empty()) missing[name] = why;
+    if (const std::string why = why_unusable(sources / name); !why.empty() && !(why == is_missing && may_miss(name)))
+      missing[name] = why;
   return missing;
 }
 
@@ -214,6 +216,10 @@ StepFlags read_step_flags(const fs::path& file) {
   return flags;
 }
 
+bool may_miss(const std::string& file) {
+  return file == choices_file;
+}
+
 Built not_built(const UnusableFiles& files) {
   Built built;
   built.log = in_words(files) + ": all files of the step are needed.\n";
@@ -263,7 +269,7 @@ UnusableFiles take_step_files(const StepFlags& flags, const std::string& step, c
                               const fs::path& folder) {
   const UnusableFiles missing = missing_files(flags, step, sources);
   for (const std::string& name : files_of(flags, step))
-    if (!missing.contains(name)) write_file(folder / name, read_file(sources / name, source_limit));
+    if (why_unusable(sources / name).empty()) write_file(folder / name, read_file(sources / name, source_limit));
   return missing;
 }
 

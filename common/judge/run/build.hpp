@@ -43,6 +43,9 @@ struct Built {
 
 inline constexpr std::size_t log_limit = 20'000;  ///< bytes
 
+/// Whether a step can be judged without this listed file: choices.txt, without which its own cases alone fail.
+bool may_miss(const std::string& file);
+
 /// The result for a step with these unusable files.
 Built not_built(const UnusableFiles& files);
 
@@ -58,7 +61,7 @@ Built build_step(const StepFlags& flags, const std::string& step, const std::fil
                  const std::filesystem::path& out, std::chrono::milliseconds time_limit = std::chrono::seconds(60));
 
 /// Copies only the step's listed files from `sources` to `folder`, so that no other file of a submission is ever read.
-/// Returns the unusable files, which are not copied.
+/// Returns the unusable files, which are not copied; one that is missing and may_miss is none of them.
 UnusableFiles take_step_files(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
                               const std::filesystem::path& folder);
 

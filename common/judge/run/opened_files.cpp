@@ -56,12 +56,12 @@ Preprocessed preprocess(const StepFlags& flags, const std::vector<std::string>& 
   const fs::path text = objects / (source + ".ii"), dependencies = objects / (source + ".opened");
   std::vector<std::string> command = {flags.compiler};
   command.insert(command.end(), options.begin(), options.end());
-  const bool gcc = flags.compiler_version.starts_with("GNU");
+  const bool clang = flags.compiler_version.starts_with("Clang") || flags.compiler.find("clang") != std::string::npos;
   // Messages must not show lines of files that may not be opened.
-  if (gcc)
-    command.insert(command.end(), {"-fpch-preprocess", "-fno-diagnostics-show-caret"});
-  else
+  if (clang)
     command.push_back("-fno-caret-diagnostics");
+  else
+    command.insert(command.end(), {"-fpch-preprocess", "-fno-diagnostics-show-caret"});
   command.insert(command.end(),
                  {"-E", source, "-o", text.string(), "-MD", "-MF", dependencies.string(), "-MT", "opened"});
   Preprocessed result;
@@ -87,10 +87,16 @@ struct Openable {
   }
 };
 
+const std::vector<std::string>& contracts_of(const StepFlags& flags, const std::string& step) {
+  static const std::vector<std::string> none;
+  const auto found = flags.headers.find(step);
+  return found == flags.headers.end() ? none : found->second;
+}
+
 Openable find_openable(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
                        const fs::path& objects, std::chrono::milliseconds time_limit) {
   const std::string source = "all-headers.cpp";
-  write_file(objects / source, text_with_all_headers(flags.headers.at(step)));
+  write_file(objects / source, text_with_all_headers(contracts_of(flags, step)));
   const Preprocessed all = preprocess(flags, options, objects, source, objects, time_limit);
   if (!all.ok) throw Error(fmt::format("{}: the headers that a file may include cannot be read:\n{}", step, all.log));
   Openable openable{.files = all.opened, .library = {}};
@@ -111,7 +117,7 @@ const Openable& openable(const StepFlags& flags, const std::string& step, const 
     key += '\n' + option;
     std::error_code error;
     if (option.starts_with("-I"))
-      for (const std::string& header : flags.headers.at(step))
+      for (const std::string& header : contracts_of(flags, step))
         if (const auto time = fs::last_write_time(fs::path(option.substr(2)) / header, error); !error)
           key += fmt::format(" {}", time.time_since_epoch().count());
   }

@@ -3,7 +3,7 @@
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "catch.hpp"
-#include "grade/unzip.hpp"
+#include "grade/archive.hpp"
 
 using namespace atelier;
 using namespace atelier::grade;
@@ -23,7 +23,7 @@ TEST_CASE("a packed archive is read back") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.zip", make_zip(files));
   const auto found =
-      read_zip(folder.path() / "a.zip", {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6})
+      read_archive(folder.path() / "a.zip", {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6})
           .files;
   REQUIRE(found.size() == files.size());
   for (const auto& [path, file] : files) {

@@ -218,6 +218,19 @@ TEST_CASE("a compiler that takes too long is killed") {
   CHECK(has_all(built.log, {"sum.cpp: took longer than 1 s"}));
 }
 
+TEST_CASE("a step is built without its choices, but with no unusable ones") {
+  Course course;
+  course.flags.files["90-sums"].push_back("choices.txt");
+  CHECK(course.build().ok);
+  const fs::path taken = course.folder.path() / "taken";
+  CHECK(take_step_files(course.flags, "90-sums", course.student, taken).empty());
+  CHECK(fs::exists(taken / "sum.cpp"));
+  CHECK_FALSE(fs::exists(taken / "choices.txt"));
+  fs::create_directory(course.student / "choices.txt");
+  CHECK_FALSE(course.build().ok);
+  CHECK(take_step_files(course.flags, "90-sums", course.student, taken).contains("choices.txt"));
+}
+
 TEST_CASE("a step without C++ needs no library") {
   Course course;
   course.write("only.glsl", "// a shader\n");
