@@ -20,8 +20,8 @@ class ShaderProbe {
 
   /// Evaluates the vec4 `expression`, which can use every argument by name: 1 number is a float, 2 to 4 a vector, 9 a
   /// mat3, 16 a mat4. `preamble` comes before it: #include lines, whose files do not see the arguments, except as
-  /// uniforms those whose names begin with "u_", or have a '.' or '[': a member of a uniform that the preamble declares,
-  /// such as u_lights[0].colour. Samplers read texture unit 0. Throws ShaderError with source file and line.
+  /// uniforms those whose names begin with "u_", or have a '.' or '[': a member of a uniform that the preamble
+  /// declares, such as u_lights[0].colour. Samplers read texture unit 0. Throws ShaderError with source file and line.
   glm::vec4 evaluate(const std::string& preamble, const std::string& expression, const Arguments& arguments);
 
   /// The file for an include in a probe's own shader: a student's, or a given one.

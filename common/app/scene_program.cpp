@@ -135,6 +135,7 @@ Walker SceneProgram::walk(const Walker& walker, const Walking& walking, double s
   if (settings.values() != before && loaded_->settings == before && scene_.portals.empty()) {
     renderer_->configure(settings, options_of(description_, settings));
     loaded_->settings = settings.values();
+    scene_.camera = after.camera;  // where one has come in
   }
   return after;
 }

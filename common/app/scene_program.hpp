@@ -45,6 +45,7 @@ class SceneProgram : public StepProgram {
   Camera camera() const override { return scene_.camera; }
   DepthFormat depth_format(const Settings& settings) const override;
   void draw(const Frame& frame, const Settings& settings) override;
+  bool wants_another_frame() const override { return renderer_->wants_another_frame(); }
   bool is_walked() const override;
   Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) override;
   Image truth(const TruthRequest& request, const Settings& settings) const override;

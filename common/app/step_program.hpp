@@ -83,6 +83,9 @@ class StepProgram {
 
   virtual void draw(const Frame& frame, const Settings& settings) = 0;
 
+  /// Whether another drawing of the same frame would show more, since this one has left something for later.
+  virtual bool wants_another_frame() const { return false; }
+
   /// Whether the window's controls walk through the loaded scene; otherwise they move the camera around its target.
   virtual bool is_walked() const { return false; }
 

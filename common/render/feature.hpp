@@ -113,6 +113,9 @@ class Feature {
   /// Sets the uniforms of one material.
   virtual void bind_material(Binder&, const Scene&, const Material&) {}
 
+  /// Whether the feature has left something of the last frame for the next one.
+  virtual bool wants_another_frame() const { return false; }
+
   /// Adds its own counts of a frame. Called after each frame.
   virtual void count(SceneCounts&) const {}
 

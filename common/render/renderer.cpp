@@ -83,6 +83,10 @@ void Renderer::prepare(const Scene& scene) {
   check_gl_error(gl_, "making the textures of the scene");
 }
 
+bool Renderer::wants_another_frame() const {
+  return std::ranges::any_of(features_, [](const auto& feature) { return feature->wants_another_frame(); });
+}
+
 bool Renderer::needs_stencil() const {
   for (const auto& feature : features_)
     if (scene_ && feature->needs_stencil(*scene_)) return true;

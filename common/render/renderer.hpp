@@ -44,6 +44,9 @@ class Renderer : private ScenePainter {
   /// Whether targets for the prepared scene need a stencil buffer.
   bool needs_stencil() const;
 
+  /// Whether any feature has left something of the last frame for the next one.
+  bool wants_another_frame() const;
+
   /// Clears the target to the background, draws the prepared scene and its sky, and runs the passes of the features. In
   /// an 8-bit target a NaN or infinite colour becomes magenta, as in a window: the format cannot store it. Throws
   /// ShaderError with source file and line, and Error if the view needs something that the driver or the target does

@@ -187,7 +187,7 @@ void Viewer::draw_into(const Target& target) {
 bool Viewer::draw() {
   if (must_load_) load();
   if (!must_draw_ || !loaded_) return false;
-  must_draw_ = false;
+  must_draw_ = unfinished_ = false;
   trouble.drawing = words_of([&] {
     const TargetSpec spec = frame_target(size_, encoding(), program_.depth_format(settings_), settings_);
     if (!spare_ || spare_->spec() != spec) {
@@ -200,6 +200,8 @@ bool Viewer::draw() {
   if (!trouble.drawing.empty()) return false;
   cost_ = {.gl = gl_.counts(), .scene = program_.counts(), .groups = gl_.groups()};
   std::swap(shown_, spare_);
+  unfinished_ = program_.wants_another_frame();
+  must_draw_ |= unfinished_;
   return true;
 }
 

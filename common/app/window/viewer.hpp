@@ -55,9 +55,10 @@ class Viewer {
   /// Whether the scene is walked through.
   bool walked() const { return loaded_ && program_.is_walked(); }
 
-  // The animation clock: stays at 0 s until it is started. A visitor in the air moves too.
+  // The animation clock: stays at 0 s until it is started. A visitor in the air moves too, and a frame that has left
+  // something for the next one.
   bool playing() const { return playing_; }
-  bool moving() const { return playing_ || (walked() && walker_.velocity != glm::dvec3(0)); }
+  bool moving() const { return playing_ || unfinished_ || (walked() && walker_.velocity != glm::dvec3(0)); }
   void play(bool on) { playing_ = on; }
   void advance(double seconds);
 
@@ -94,6 +95,7 @@ class Viewer {
   glm::ivec2 size_{1, 1};
 
   bool must_load_ = true, must_draw_ = true;
+  bool unfinished_ = false;                  ///< StepProgram::wants_another_frame
   bool loaded_ = false;                      ///< the program has loaded the current scene
   std::optional<CaseCamera> first_camera_;   ///< from the command line, for the first scene only
   bool take_camera_ = true, moved_ = false;  ///< the next load sets the camera; the camera has been moved

@@ -125,7 +125,9 @@ class FakeStep : public SceneProgram {
     return walker;
   }
 
-  bool walked = false;
+  bool wants_another_frame() const override { return unfinished; }
+
+  bool walked = false, unfinished = false;
   std::function<void()> on_load, on_draw;
   int loads = 0, draws = 0;
   double last_time = -1;

@@ -154,7 +154,8 @@ TEST_CASE("a walk into another place makes no scene anew, but where there are po
   walked.scenes = {{"place", [&](const Settings&) {
                       ++made;
                       Scene scene = test::fake_scene("place", make_plane({}));
-                      for (Vertex& vertex : scene.meshes[0].vertices) vertex.position = {vertex.position.x, -vertex.position.z, 0};
+                      for (Vertex& vertex : scene.meshes[0].vertices)
+                        vertex.position = {vertex.position.x, -vertex.position.z, 0};
                       if (portals) scene.portals.push_back({.node = 0, .exit = 0});
                       return scene;
                     }}};

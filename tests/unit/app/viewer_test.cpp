@@ -215,6 +215,18 @@ TEST_CASE("where a scene is walked through, the controls move a visitor", "[view
   CHECK(viewer.camera().eye.x == x);
 }
 
+TEST_CASE("a frame that has left something for later is followed by another", "[viewer]") {
+  Room room;
+  Viewer& viewer = *room.viewer;
+  room.step.unfinished = true;
+  REQUIRE(viewer.draw());
+  CHECK(viewer.moving());
+  room.step.unfinished = false;
+  REQUIRE(viewer.draw());
+  CHECK_FALSE(viewer.moving());
+  CHECK_FALSE(viewer.draw());
+}
+
 TEST_CASE("a new setting keeps the chosen camera, a new scene has its own", "[viewer]") {
   CommandLine line = plain_line();
   line.picture.camera.eye = glm::dvec3(0, 0, 9);
