@@ -26,7 +26,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const std::vector<std::string> picture_members = {"scene",      "camera", "size",    "output",        "profile",
                                                   "unit",       "delta",  "budget",  "exposure",      "reason",
                                                   "references", "mask",   "regions", "truth_differs", "choice"};
-const std::vector<std::string> probe_members = {"probe", "inputs", "numbers", "expected", "expected_from", "tolerance", "together"};
+const std::vector<std::string> probe_members = {"probe",         "inputs",    "numbers", "expected",
+                                                "expected_from", "tolerance", "together"};
 const std::vector<std::string> shared_members = {"name",   "settings", "title",  "asked",   "hint",      "tier",
                                                  "points", "student",  "hidden", "rejects", "functions", "needs"};
 

@@ -19,8 +19,8 @@ struct Sphere {
 };
 
 /// The wall of an upright cylinder around the y axis, y from 0 to height, without floor and ceiling. Texture
-/// coordinates as on make_cylinder_wall: u from 0 to `repeat` around, from +x, counter-clockwise from above if the wall faces out,
-/// clockwise if it faces in; v up.
+/// coordinates as on make_cylinder_wall: u from 0 to `repeat` around, from +x, counter-clockwise from above if the wall
+/// faces out, clockwise if it faces in; v up.
 struct CylinderWall {
   double radius = 1, height = 1;
   bool inside = false;  ///< it faces the axis: a hall, not a column

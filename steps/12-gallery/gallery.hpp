@@ -1,5 +1,5 @@
 // 12-gallery: the contract of gallery.cpp: a round hall whose paintings are doors, a visitor who walks through them,
-// and pictures of the rooms behind them that are drawn again only when they must be. You also write a line of
+// and pictures of the rooms behind them that are drawn again only when they must be. You also write lines of
 // choices.txt.
 //
 // World space: metres, +y up, floors at y = 0. All frames stand upright. A painting is the rectangle |x| <=
@@ -70,7 +70,7 @@ bool meets(const glm::dvec4& plane, std::span<const glm::dvec3, 8> corners);
 std::array<glm::dvec4, 2> side_planes(const glm::dmat4& frame, const glm::dvec2& half_size);
 
 /// Whether a visitor touches a painting from its front: the box's heights and the painting's have one in common; the
-/// painting's plane meets the box; the visitor's position is on neither far side of the side planes, and not behind the
+/// painting's plane meets the box; the visitor's position is not outside of either side plane, and not behind the
 /// painting. Limits belong to all of these, up to rounding. Handout, section 2.
 bool touches(const glm::dmat4& frame, const glm::dvec2& half_size, const glm::dvec3& position);
 

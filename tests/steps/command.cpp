@@ -43,7 +43,9 @@ std::vector<CourseStep> choose_steps_in_turn() {
   const char* turn = std::getenv("ATELIER_TEST_TURN");
   const std::string commit = git({"rev-parse", "HEAD"});
   if (!is_whole_course() || (turn && std::string(turn) == "all") || commit.empty()) return steps;
-  const std::string changed = git({"log", "-1", "--format=", "--name-only", "--", "solutions", "steps"});
+  const std::string changed =
+      git({"log", "-1", "--format=", "--name-only", "--", "solutions", "steps", "tests/cases", "tests/mistakes"}) +
+      git({"status", "--porcelain", "-uall", "--", "solutions", "steps", "tests"});
   constexpr std::size_t turns = 3;
   const std::size_t now = std::stoul(commit.substr(0, 7), nullptr, 16) % turns;
   std::vector<CourseStep> chosen;

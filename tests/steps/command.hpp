@@ -17,8 +17,9 @@ ProjectFolders folders();
 /// through it, and so can be run for one step: ./atelier test --step NN.
 std::vector<CourseStep> course();
 /// Of course() the steps whose turn it is, for topics that take minutes over all of them: the time of a run must not
-/// grow with the course. One step in three, which the tested commit decides, and the step that was changed last. All of
-/// them where ATELIER_TEST_TURN is "all" (./atelier test --all), and outside of a git working tree.
+/// grow with the course. One step in three, which the tested commit decides, the step that was committed last, and
+/// those with changes that are not committed. All of them where ATELIER_TEST_TURN is "all" (./atelier test --all), and
+/// outside of a git working tree.
 const std::vector<CourseStep>& steps_in_turn();
 /// A command with steps behind it; without any where they are the whole course.
 std::vector<std::string> with_steps(std::vector<std::string> arguments,

@@ -163,7 +163,6 @@ void LitSurface::choose_for_nodes(const Scene& scene, const std::vector<Light>& 
 
 void LitSurface::find_reach(const Scene& scene) {
   lights_.reach.assign(lights_.all.size(), std::numeric_limits<double>::infinity());
-  if (lights_.together.size() < 2) return;
   const std::vector<Box3> boxes = node_boxes(scene);
   for (const int i : lights_.points) {
     double& reach = lights_.reach[std::size_t(i)] = 0;

@@ -23,7 +23,7 @@ struct DrawnLights {
   std::vector<int> points, spots, directional;
   /// The sets of lights that are summed for a point, each on other nodes.
   std::vector<std::vector<int>> together;
-  /// By light: the distance of the farthest point that it shines on, metres; infinite if it shines everywhere.
+  /// By light: the distance of the farthest point that a point light shines on, metres; infinite for others.
   std::vector<double> reach;
   const Light& light(int number) const { return all[std::size_t(number)]; }
 };

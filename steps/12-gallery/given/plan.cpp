@@ -29,12 +29,17 @@ glm::dmat4 door_frame() {
   return upright_frame(bedroom_centre + glm::dvec3(0, painting_height, bedroom_size.z / 2 - painting_gap), {0, 0, -1});
 }
 
-HallParts students_hall(int segments) {
-  HallParts parts{.wall = gallery::hall_wall(segments, float(hall_radius), float(hall_height), wall_repeat)};
+std::array<glm::dmat4, paintings_in_hall> students_paintings(int segments) {
+  std::array<glm::dmat4, paintings_in_hall> frames;
   for (int i = 0; i < paintings_in_hall; ++i)
-    parts.paintings[std::size_t(i)] =
+    frames[std::size_t(i)] =
         gallery::painting_frame(i, paintings_in_hall, painting_distance(segments), painting_height);
-  return parts;
+  return frames;
+}
+
+HallParts students_hall(int segments) {
+  return {.wall = gallery::hall_wall(segments, float(hall_radius), float(hall_height), wall_repeat),
+          .paintings = students_paintings(segments)};
 }
 
 std::vector<glm::dvec4> walls_of_hall(int segments) {

@@ -1,7 +1,7 @@
 // The plan of the gallery: where its hall, its paintings and its rooms are. Given.
 //
-// All six paintings lead to one bedroom, each to its own copy of it: rooms that look the same but for their style share
-// their geometry, their lamp and its shadows, far away from the hall.
+// All six paintings lead to the same bedroom, far away from the hall: the six rooms differ in nothing but the style in
+// which they are seen, and so share their geometry, their lamp and its shadows.
 #pragma once
 
 #include <array>
@@ -37,6 +37,7 @@ struct HallParts {
   std::array<glm::dmat4, paintings_in_hall> paintings;
 };
 
+std::array<glm::dmat4, paintings_in_hall> students_paintings(int segments);
 HallParts students_hall(int segments);
 
 /// The walls of the hall and of the bedroom, as planes (n, d): |n| = 1, positive inside.

@@ -46,12 +46,6 @@ void Previews::configure(const Settings& settings) {
   most_ = settings.integer("preview.most");
   relief_ = settings.flag("preview.relief");
   always_ = settings.choice("preview.update") == "always";
-  // Where the visitor is changes nothing but what is behind the door; after all else the rooms may look different.
-  Settings elsewhere = settings;
-  elsewhere.set("gallery.room", gallery::hall);
-  elsewhere.set("walk.seconds", 0.0);
-  if (elsewhere.values() != configured_) ++version_;
-  configured_ = elsewhere.values();
 }
 
 void Previews::prepare(Gl&, const Scene& scene) {
@@ -59,7 +53,11 @@ void Previews::prepare(Gl&, const Scene& scene) {
     Painting& painting = paintings_[i];
     const auto node = std::ranges::find(scene.nodes, painting_name(int(i)), &Node::name);
     painting.material = node == scene.nodes.end() ? -1 : node->material;
-    painting.state = {};  // a frame must not depend on what was drawn before the scene was loaded
+    // A frame must not depend on what was drawn before the scene was loaded, nor keep its memory.
+    painting.framebuffer = {};
+    painting.textures = {};
+    painting.preview = {};
+    painting.state = {};
   }
   moved(scene);
 }
@@ -167,6 +165,7 @@ void Previews::draw_views(Gl& gl, const Scene& scene, const Viewpoint& viewpoint
     states.push_back(painting.state);
   }
   const std::vector<int> wanted = gallery::previews_to_record(states, most_);
+  more_wanted_ = always_ || gallery::previews_to_record(states, int(states.size())).size() > wanted.size();
   for (const int i : wanted) {
     if (i < 0 || i >= int(paintings_.size()))
       throw Error(fmt::format("previews_to_record returns {}; there are previews 0 to {}", i, paintings_.size() - 1));

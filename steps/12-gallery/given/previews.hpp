@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "12-gallery/gallery.hpp"
@@ -35,6 +33,7 @@ class Previews : public Feature {
   void prepare(Gl& gl, const Scene& scene) override;
   void moved(const Scene& scene) override;
   void draw_views(Gl& gl, const Scene& scene, const Viewpoint& viewpoint, ScenePainter& painter) override;
+  bool wants_another_frame() const override { return more_wanted_ && most_ > 0; }
   Need need(const Scene& scene, const View& view, const Node& node) const override;
   void bind_material(Binder& binder, const Scene& scene, const Material& material) override;
 
@@ -61,7 +60,7 @@ class Previews : public Feature {
   int size_ = 256, most_ = paintings_in_hall;
   bool relief_ = true, always_ = false;
   std::uint64_t version_ = 0;
-  std::map<std::string, SettingValue, std::less<>> configured_;  ///< apart from where the visitor is
+  bool more_wanted_ = false;  ///< than the last frame was allowed to record
 };
 
 }  // namespace atelier

@@ -8,7 +8,7 @@
 
 namespace atelier {
 
-/// "hall.segments", "gallery.room", "gallery.portals", "gallery.pillars".
+/// "hall.segments", "gallery.room", "gallery.portals".
 std::vector<SettingSpec> gallery_scene_settings();
 
 const SceneTable& gallery_scenes();

@@ -38,7 +38,7 @@ double turn_between(double from, double to) {
 }  // namespace
 
 Ground::Ground(int segments)
-    : hall_(walls_of_hall(segments)), bedroom_(walls_of_bedroom()), paintings_(students_hall(segments).paintings) {}
+    : hall_(walls_of_hall(segments)), bedroom_(walls_of_bedroom()), paintings_(students_paintings(segments)) {}
 
 /// Carries a guest who touches a painting through it.
 void Ground::go_through_doors(Guest& guest) const {
@@ -144,13 +144,20 @@ Camera guests_camera(const Scene&, const Camera& camera, const Settings& setting
 }
 
 Walker walk(const Walker& walker, const Walking& walking, double seconds, Settings& settings) {
-  const glm::dvec3 look = glm::normalize(walker.camera.target - walker.camera.eye);
-  Guest guest{.visitor = {.position = walker.camera.eye - glm::dvec3(0, eye_above_centre, 0),
-                          .velocity = walker.velocity,
-                          .room = settings.integer("gallery.room")},
-              .heading = heading_of(look) + walking.turn.x,
-              .pitch = std::clamp(std::asin(look.y) + walking.turn.y, -1.5, 1.5)};
-  guest = Ground(settings.integer("hall.segments")).after(guest, walking.velocity, seconds);
+  const Ground ground(settings.integer("hall.segments"));
+  const double script = settings.real("walk.seconds");
+  Guest guest = ground.walked(script);
+  if (script == 0) {
+    const glm::dvec3 look = glm::normalize(walker.camera.target - walker.camera.eye);
+    guest = {.visitor = {.position = walker.camera.eye - glm::dvec3(0, eye_above_centre, 0),
+                         .velocity = walker.velocity,
+                         .room = settings.integer("gallery.room")},
+             .heading = heading_of(look),
+             .pitch = std::asin(look.y)};
+  }
+  guest.heading += walking.turn.x;
+  guest.pitch = std::clamp(guest.pitch + walking.turn.y, -1.5, 1.5);
+  guest = ground.after(guest, walking.velocity, seconds);
   settings.set("gallery.room", std::clamp(guest.visitor.room, -1, paintings_in_hall - 1));
   settings.set("walk.seconds", 0.0);
   const bool flies = guest.visitor.position.y > gallery::visitor_half_size.y || guest.visitor.velocity.y > 0;

@@ -1,5 +1,5 @@
 // previews_to_record: random previews against a search for the next one, versions and ages at the end of their range,
-// and any number for `most`.
+// and any number from 0 on for `most`.
 #include <optional>
 
 #include "stability/12-gallery/rows.hpp"
@@ -74,7 +74,7 @@ PreviewState with_versions(std::uint64_t version, std::uint64_t of) {
 void add_schedule_rows(Table& table) {
   Group group = table.of("previews_to_record");
   for (const int count : {1, 6, 30})
-    for (const int most : {least_int, -1, 0, 1, 3, largest_int})
+    for (const int most : {0, 1, 3, largest_int})
       group.equals(fmt::format("1000 lists of {} previews, at most {}: others", count, most),
                    [=] {
                      return Values{worst_of(1000, 2110, [=](Trial& t) {
@@ -83,7 +83,7 @@ void add_schedule_rows(Table& table) {
                      })};
                    },
                    {0});
-  for (const int most : {least_int, -1, 0, 1, largest_int})
+  for (const int most : {0, 1, largest_int})
     group.equals(fmt::format("no previews, at most {}", most), [=] { return order_of({}, most); }, {});
   group.equals("versions 0 and 2^64 - 1, older and newer: whatever is not equal is recorded",
                [] {
