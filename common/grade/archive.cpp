@@ -97,12 +97,19 @@ struct Place {
   std::string name, prefix;
 };
 
+/// Whether a folder of this path is one of those that Macs and version control make: __MACOSX, .git.
+bool in_folder_of_tools(const std::string& path) {
+  return std::ranges::any_of(fs::path(path).parent_path(), [](const fs::path& part) {
+    return part == "__MACOSX" || (part.string().starts_with(".") && part != "." && part != "..");
+  });
+}
+
 /// Nothing if the member is not wanted.
 std::optional<Place> place_of(const std::string& member, const std::set<std::string>& wanted) {
   if (wanted.contains(member)) return Place{member, ""};  // no prefix
-  if (member.starts_with("__MACOSX/")) return std::nullopt;
   for (auto slash = member.find('/'); slash != member.npos; slash = member.find('/', slash + 1))
-    if (wanted.contains(member.substr(slash + 1))) return Place{member.substr(slash + 1), member.substr(0, slash)};
+    if (wanted.contains(member.substr(slash + 1)) && !in_folder_of_tools(member))
+      return Place{member.substr(slash + 1), member.substr(0, slash)};
   return std::nullopt;
 }
 

@@ -33,11 +33,11 @@ struct ArchiveContents {
 
 /// The wanted members of an archive. All may have the same folders in front ("ada/hw/02-blinn-phong/blinn_phong.cpp").
 /// Where there are several such folders, the wanted members are those with the fewest folders in front; the others,
-/// such as copies, are skipped and reported. What a Mac puts beside them (__MACOSX/) is ignored. Wanted members that
-/// are links, special files or larger than limits.member_bytes are unusable. Members with an absolute path or "..", and
-/// unwanted links and special files, are skipped and reported; other unwanted members are ignored. Throws Error naming
-/// the archive and the member, if one is to blame: empty, no archive, cut off, encrypted, over another limit, a wanted
-/// name twice, two folders with steps side by side.
+/// such as copies, are skipped and reported. What Macs and version control put beside them (__MACOSX/, .git/) is
+/// ignored. Wanted members that are links, special files or larger than limits.member_bytes are unusable. Members with
+/// an absolute path or "..", and unwanted links and special files, are skipped and reported; other unwanted members are
+/// ignored. Throws Error naming the archive and the member, if one is to blame: empty, no archive, cut off, encrypted,
+/// over another limit, a wanted name twice, two folders with steps side by side.
 ArchiveContents read_archive(const std::filesystem::path& file, const std::set<std::string>& wanted,
                              const ArchiveLimits& limits = {});
 
