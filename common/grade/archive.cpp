@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/printable.hpp"
+#include "grade/step_places.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -43,10 +44,7 @@ Looks looks_of(const std::string& bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.starts_with(magic); };
   if (begins(std::string_view("PK\x03\x04", 4))) return {Kind::zip, "a ZIP"};
   if (begins("PK\x05\x06")) return {Kind::empty_zip, "a ZIP"};
-  if (begins("\x1f\x8b") ||
-      begins(std::string_view("\xfd"
-                              "7zXZ\0",
-                              6)) ||
+  if (begins("\x1f\x8b") || begins(std::string_view("\3757zXZ\0", 6)) ||
       (bytes.size() > 262 && bytes.compare(257, 5, "ustar") == 0))
     return {Kind::tar, "a tar archive"};
   if (begins("7z\xbc\xaf\x27\x1c")) return {Kind::seven_zip, "a 7z archive"};
@@ -70,14 +68,19 @@ bool support(archive* reader, Kind kind) {
 
 constexpr const char* what_is_read = "a submission is a folder, or a ZIP, tar, tar.gz, tar.xz or 7z of one";
 
-Archive open_archive(const fs::path& file, const ArchiveLimits& limits) {
+std::string bytes_of(const fs::path& file, const ArchiveLimits& limits) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) refuse(file, fmt::format("is not a regular file; {}", what_is_read));
   const auto size = fs::file_size(file, error);
   if (error || size > limits.archive_bytes)
     refuse(file, fmt::format("is too large; an archive may have at most {} bytes", limits.archive_bytes));
   if (size == 0) refuse(file, fmt::format("is empty (0 bytes); {}", what_is_read));
-  const Looks looks = looks_of(read_file(file));
+  return read_file(file);
+}
+
+/// Reads `bytes`, which must outlive it.
+Archive open_archive(const fs::path& file, const std::string& bytes) {
+  const Looks looks = looks_of(bytes);
   if (looks.kind == Kind::empty_zip) refuse(file, "is an empty archive");
   if (looks.kind == Kind::other)
     refuse(file, *looks.words ? fmt::format("is {}; {}", looks.words, what_is_read)
@@ -85,7 +88,7 @@ Archive open_archive(const fs::path& file, const ArchiveLimits& limits) {
   Archive reader(archive_read_new(), archive_read_free);
   if (!reader || !support(reader.get(), looks.kind))
     refuse(file, fmt::format("cannot be read: the archive library does not support {}", looks.words));
-  if (archive_read_open_filename(reader.get(), file.c_str(), 1 << 16) != ARCHIVE_OK)
+  if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
     refuse(file, looks.kind == Kind::zip
                      ? "is cut off or damaged: it begins as a ZIP, but the list of members at its end is missing"
                      : fmt::format("is cut off or damaged: it begins as {}", looks.words));
@@ -97,11 +100,9 @@ struct Place {
   std::string name, prefix;
 };
 
-/// Whether a folder of this path is one of those that Macs and version control make: __MACOSX, .git.
 bool in_folder_of_tools(const std::string& path) {
-  return std::ranges::any_of(fs::path(path).parent_path(), [](const fs::path& part) {
-    return part == "__MACOSX" || (part.string().starts_with(".") && part != "." && part != "..");
-  });
+  return std::ranges::any_of(fs::path(path).parent_path(),
+                             [](const fs::path& part) { return is_folder_of_tools(part.string()); });
 }
 
 /// Nothing if the member is not wanted.
@@ -159,7 +160,7 @@ std::string name_of(archive_entry* entry) {
 class ArchiveReader {
  public:
   ArchiveReader(const fs::path& file, const ArchiveLimits& limits)
-      : file_(file), limits_(limits), reader_(open_archive(file, limits)), archive_bytes_(fs::file_size(file)) {}
+      : file_(file), limits_(limits), bytes_(bytes_of(file, limits)), reader_(open_archive(file, bytes_)) {}
 
   ArchiveContents read(const std::set<std::string>& wanted) {
     while (archive_entry* entry = next()) {
@@ -261,7 +262,7 @@ class ArchiveReader {
   void check_limits(const std::string& name) const {
     if (total_ > limits_.total_bytes)
       refuse(file_, fmt::format("the steps' files together may have at most {} bytes", limits_.total_bytes));
-    if (double(total_) > limits_.ratio * double(archive_bytes_))
+    if (double(total_) > limits_.ratio * double(bytes_.size()))
       refuse(file_, fmt::format("{} inflates to more than {:g} times the archive's size; source code never does", name,
                                 limits_.ratio));
   }
@@ -269,8 +270,9 @@ class ArchiveReader {
   Utf8Locale utf8_;  // before reader_, which reads the locale when it opens the file
   fs::path file_;
   ArchiveLimits limits_;
+  std::string bytes_;  ///< of the archive
   Archive reader_;
-  std::size_t archive_bytes_ = 0, total_ = 0, skipped_ = 0;
+  std::size_t total_ = 0, skipped_ = 0;
   int members_ = 0;
   std::map<std::string, Found> found_;  ///< by the folders in front of the steps' folders
   ArchiveContents contents_;

@@ -31,6 +31,10 @@ std::vector<std::string> parts_of(const std::string& path) {
 
 }  // namespace
 
+bool is_folder_of_tools(const std::string& name) {
+  return name == "__MACOSX" || (name.starts_with(".") && name != "." && name != "..");
+}
+
 std::vector<std::string> list_folder(const fs::path& folder) {
   std::vector<std::string> paths;
   std::error_code error;

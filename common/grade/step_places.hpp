@@ -9,6 +9,9 @@
 
 namespace atelier::grade {
 
+/// Whether Macs or version control make a folder of this name, beside what a student has written: __MACOSX, .git.
+bool is_folder_of_tools(const std::string& name);
+
 /// The contents of a folder as relative paths: four levels deep, without following links, at most 10 000 entries.
 std::vector<std::string> list_folder(const std::filesystem::path& folder);
 

@@ -52,8 +52,7 @@ std::vector<fs::path> folders_in(const std::vector<fs::path>& folders) {
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator(folder, error)) {
-      const std::string name = entry.path().filename().string();
-      if (name.starts_with(".") || name == "__MACOSX") continue;
+      if (is_folder_of_tools(entry.path().filename().string())) continue;
       if (entry.symlink_status(error).type() == fs::file_type::directory) found.push_back(entry.path());
     }
   }

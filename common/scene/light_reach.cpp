@@ -57,9 +57,9 @@ glm::dvec3 most_given_back(const std::vector<Material>& materials, const std::fu
   return most;
 }
 
-Box3 box_of_drawn(const Scene& scene) {
+Box3 box_of_drawn(std::span<const Box3> node_boxes) {
   Box3 all;
-  for (const Box3& box : node_boxes(scene)) all.add(box);
+  for (const Box3& box : node_boxes) all.add(box);
   return all;
 }
 

@@ -23,8 +23,8 @@ glm::dvec3 most_given_back(const std::vector<Material>& materials, const std::fu
 /// (IEC 61966-2-1).
 inline constexpr double least_visible_light = 1 / (255 * 12.92);
 
-/// The bounding box of everything drawn, in world space, including float error: around `node_boxes`.
-Box3 box_of_drawn(const Scene& scene);
+/// The bounding box of everything drawn, in world space, including float error: around the scene's `node_boxes`.
+Box3 box_of_drawn(std::span<const Box3> node_boxes);
 
 /// Indices of the lights that must be drawn, in the scene's order. For the others, the SUM of their possible
 /// contributions at any point of `box`, for any material and view direction, is below least_visible_light in each

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/file.hpp"
@@ -94,15 +95,29 @@ Case picture(const std::string& scene, std::map<std::string, SettingValue> setti
   return made;
 }
 
+namespace {
+
+/// The largest difference of a channel after encoding, in units of 1/255.
+double codes_between(const Rgba& p, const Rgba& q) {
+  const auto apart = [](float x, float y) { return 255 * std::abs(srgb_encode(double(x)) - srgb_encode(double(y))); };
+  return std::max({apart(p.r, q.r), apart(p.g, q.g), apart(p.b, q.b)});
+}
+
+}  // namespace
+
 double codes_apart(const Image& a, const Image& b) {
   REQUIRE(a.same_size(b));
   double most = 0;
-  const auto apart = [](float x, float y) { return 255 * std::abs(srgb_encode(double(x)) - srgb_encode(double(y))); };
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const Rgba &p = a.pixels()[i], &q = b.pixels()[i];
-    most = std::max({most, apart(p.r, q.r), apart(p.g, q.g), apart(p.b, q.b)});
-  }
+  for (std::size_t i = 0; i < a.pixels().size(); ++i)
+    most = std::max(most, codes_between(a.pixels()[i], b.pixels()[i]));
   return most;
+}
+
+int pixels_a_code_apart(const Image& a, const Image& b) {
+  REQUIRE(a.same_size(b));
+  int different = 0;
+  for (std::size_t i = 0; i < a.pixels().size(); ++i) different += codes_between(a.pixels()[i], b.pixels()[i]) >= 1;
+  return different;
 }
 
 int pixels_apart(const Image& a, const Image& b) {

@@ -46,6 +46,9 @@ inline constexpr std::int64_t picture_bytes = 160 * 120 * (16 + 4);  ///< of its
 /// The largest difference of two pictures after encoding, in units of 1/255.
 double codes_apart(const Image& a, const Image& b);
 
+/// How many pixels differ by 1/255 and more after encoding.
+int pixels_a_code_apart(const Image& a, const Image& b);
+
 /// How many pixels are not the same to the last bit.
 int pixels_apart(const Image& a, const Image& b);
 

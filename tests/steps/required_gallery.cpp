@@ -1,11 +1,7 @@
 // What a gallery does not show costs nothing: previews that are up to date or out of view, lamps of other places,
 // styles of none, portals that nobody asked for. What changes while it runs leaves nothing behind.
-#include <algorithm>
-#include <cmath>
-
 #include "catch.hpp"
 #include "drawn.hpp"
-#include "image/colour.hpp"
 
 using namespace atelier;
 using namespace atelier::test;
@@ -31,16 +27,6 @@ Case wall(Choices settings = {}) {
 Case room(int number, Choices settings = {}) {
   settings["gallery.room"] = number;
   return picture("gallery", std::move(settings));
-}
-
-int pixels_apart_by_a_code(const Image& a, const Image& b) {
-  int different = 0;
-  for (std::size_t i = 0; i < a.pixels().size(); ++i) {
-    const Rgba &p = a.pixels()[i], &q = b.pixels()[i];
-    const auto apart = [](float x, float y) { return std::abs(srgb_encode(double(x)) - srgb_encode(double(y))); };
-    different += std::max({apart(p.r, q.r), apart(p.g, q.g), apart(p.b, q.b)}) >= 1.0 / 255;
-  }
-  return different;
 }
 
 std::int64_t at_rest(const char* count, const Case& c) {
@@ -90,7 +76,7 @@ TEST_CASE("each place has its own lamp", "[required][12-gallery]") {
     CHECK(both[1].counts.at("lookups") == both[0].counts.at("lookups") - 1);
     CHECK(both[1].counts.at("draws") < both[0].counts.at("draws"));  // no caster of another place is in a lamp's cube
     // A cube that stores smaller distances stores them more exactly: a shadow's edge may be a pixel farther.
-    CHECK(pixels_apart_by_a_code(both[0].picture, both[1].picture) <= 160 * 120 / 1000);
+    CHECK(pixels_a_code_apart(both[0].picture, both[1].picture) <= 160 * 120 / 1000);
   }
 }
 

@@ -66,12 +66,10 @@ UnusableFiles missing_files(const StepFlags& flags, const std::string& step, con
 
 /// Error messages, one per line, for includes that are not allowed.
 std::string check_includes(const StepFlags& flags, const std::string& step, const fs::path& sources) {
-  const auto headers = flags.headers.find(step);
   std::string log;
   for (const std::string& name : files_of(flags, step))
     if (name.ends_with(".cpp"))
-      log += refused_includes(read_file(sources / name, source_limit), name, step,
-                              headers == flags.headers.end() ? std::vector<std::string>{} : headers->second);
+      log += refused_includes(read_file(sources / name, source_limit), name, step, flags.headers_of(step));
   return log;
 }
 
@@ -115,8 +113,9 @@ std::vector<std::string> included_by_options(const StepFlags& flags) {
 Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
                 const fs::path& objects, milliseconds time_limit) {
   const fs::path dependencies = objects / (source + ".d");
+  const std::vector<std::string> options = compile_options(flags, step);
   Recipe recipe{.command = {flags.compiler}, .folder = sources, .product = objects / (source + ".o")};
-  append(recipe.command, compile_options(flags, step));
+  append(recipe.command, options);
   append(recipe.command, {"-c", source, "-o", recipe.product.string(), "-MMD", "-MF", dependencies.string()});
   if (const auto log = recorded_log(recipe)) return {.ok = true, .fresh = false, .log = *log};
 
@@ -125,8 +124,7 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
   Outcome outcome{.ok = false, .fresh = true, .log = {}};
-  const Opened opened =
-      check_opened_files(flags, step, compile_options(flags, step), sources, source, objects, time_limit);
+  const Opened opened = check_opened_files(flags, step, options, sources, source, objects, time_limit);
   if (!opened.allowed) {
     outcome.log = opened.log;
     return outcome;
@@ -193,6 +191,12 @@ std::string bounded(const std::string& log) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& StepFlags::headers_of(const std::string& step) const {
+  static const std::vector<std::string> none;
+  const auto found = headers.find(step);
+  return found == headers.end() ? none : found->second;
+}
 
 StepFlags read_step_flags(const fs::path& file) {
   const std::string where = file.string();
@@ -269,7 +273,8 @@ UnusableFiles take_step_files(const StepFlags& flags, const std::string& step, c
                               const fs::path& folder) {
   const UnusableFiles missing = missing_files(flags, step, sources);
   for (const std::string& name : files_of(flags, step))
-    if (why_unusable(sources / name).empty()) write_file(folder / name, read_file(sources / name, source_limit));
+    if (!missing.contains(name) && fs::exists(sources / name))
+      write_file(folder / name, read_file(sources / name, source_limit));
   return missing;
 }
 

@@ -29,6 +29,9 @@ struct StepFlags {
   std::map<std::string, std::vector<std::string>> headers;  ///< by step
   std::map<std::string, std::vector<std::string>> uses;     ///< by step
   std::map<std::string, std::string> titles;                ///< by step
+
+  /// What the C++ of a step may include of the project; nothing for a step without any.
+  const std::vector<std::string>& headers_of(const std::string& step) const;
 };
 
 /// Throws Error naming the file, the member and what is allowed.

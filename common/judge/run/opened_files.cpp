@@ -87,16 +87,10 @@ struct Openable {
   }
 };
 
-const std::vector<std::string>& contracts_of(const StepFlags& flags, const std::string& step) {
-  static const std::vector<std::string> none;
-  const auto found = flags.headers.find(step);
-  return found == flags.headers.end() ? none : found->second;
-}
-
 Openable find_openable(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
                        const fs::path& objects, std::chrono::milliseconds time_limit) {
   const std::string source = "all-headers.cpp";
-  write_file(objects / source, text_with_all_headers(contracts_of(flags, step)));
+  write_file(objects / source, text_with_all_headers(flags.headers_of(step)));
   const Preprocessed all = preprocess(flags, options, objects, source, objects, time_limit);
   if (!all.ok) throw Error(fmt::format("{}: the headers that a file may include cannot be read:\n{}", step, all.log));
   Openable openable{.files = all.opened, .library = {}};
@@ -117,7 +111,7 @@ const Openable& openable(const StepFlags& flags, const std::string& step, const 
     key += '\n' + option;
     std::error_code error;
     if (option.starts_with("-I"))
-      for (const std::string& header : contracts_of(flags, step))
+      for (const std::string& header : flags.headers_of(step))
         if (const auto time = fs::last_write_time(fs::path(option.substr(2)) / header, error); !error)
           key += fmt::format(" {}", time.time_since_epoch().count());
   }

@@ -21,7 +21,7 @@ struct Opened {
 };
 
 /// Preprocesses `source`, a file name in `sources`, with the options that it is compiled with; intermediate files go to
-/// `objects`. Refused are: a file outside of what allowed_headers() and `contract_headers` open; a #line directive that
+/// `objects`. Refused are: a file outside of what text_with_all_headers opens; a #line directive that
 /// names another file, of which compilers show lines in messages; an error of preprocessing.
 ///
 /// Files of the standard library's own subfolders (bits/, debug/) are allowed, since macros may choose among them.

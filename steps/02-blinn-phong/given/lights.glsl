@@ -78,8 +78,8 @@ bool directional_light_is_here(int light) { return true; }
 #endif
 
 // The visibility of each light at the shaded point: the fraction of its light that arrives, 0 to 1; 1 if the program
-// uses no shadows, and 0 if the light is left out here. The argument is the light's index in its array. The values are computed before `shade` is called, so
-// these functions may be called anywhere, also in branches.
+// uses no shadows, and 0 if the light is left out here. The argument is the light's index in its array. The values are
+// computed before `shade` is called, so these functions may be called anywhere, also in branches.
 #ifdef VISIBILITY
 #if POINT_LIGHTS > 0
 float point_visibility[POINT_LIGHTS];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "02-blinn-phong/blinn_phong.hpp"
@@ -120,12 +121,11 @@ void LitSurface::choose_lights(const Scene& scene) {
   }
   std::vector<int> kept(shining.size());
   std::iota(kept.begin(), kept.end(), 0);
+  const std::vector<Box3> boxes = node_boxes(scene);
+  if (cull_lights_) kept = lights_that_matter(lights, most_given_back(scene.materials, lobe()), box_of_drawn(boxes));
   lights_.together = {kept};
   set_of_node_.assign(scene.nodes.size(), 0);
-  if (cull_lights_) {
-    kept = lights_that_matter(lights, most_given_back(scene.materials, lobe()), box_of_drawn(scene));
-    choose_for_nodes(scene, lights, kept);
-  }
+  if (cull_lights_) choose_for_nodes(scene, boxes, lights, kept);
   for (std::vector<int>& set : lights_.together)
     for (int& i : set) i = shining[std::size_t(i)];
   for (auto* list : {&lights_.points, &lights_.spots, &lights_.directional}) list->clear();
@@ -138,14 +138,13 @@ void LitSurface::choose_lights(const Scene& scene) {
         .push_back(number);
   }
   lights_left_out_ = int(shining.size() - kept.size());
-  find_reach(scene);
+  find_reach(boxes);
 }
 
 /// Each set of lights needs programs of its own: where there are many sets, each node has all lights that are kept.
-void LitSurface::choose_for_nodes(const Scene& scene, const std::vector<Light>& lights, const std::vector<int>& kept) {
+void LitSurface::choose_for_nodes(const Scene& scene, std::span<const Box3> boxes, const std::vector<Light>& lights,
+                                  const std::vector<int>& kept) {
   constexpr std::size_t most_sets = 4;
-  lights_.together = {kept};
-  const std::vector<Box3> boxes = node_boxes(scene);
   std::vector<std::vector<int>> sets;
   std::vector<int> set_of_node(scene.nodes.size(), 0);
   for (std::size_t i = 0; i < scene.nodes.size() && sets.size() <= most_sets; ++i) {
@@ -161,9 +160,8 @@ void LitSurface::choose_for_nodes(const Scene& scene, const std::vector<Light>& 
   set_of_node_ = std::move(set_of_node);
 }
 
-void LitSurface::find_reach(const Scene& scene) {
+void LitSurface::find_reach(std::span<const Box3> boxes) {
   lights_.reach.assign(lights_.all.size(), std::numeric_limits<double>::infinity());
-  const std::vector<Box3> boxes = node_boxes(scene);
   for (const int i : lights_.points) {
     double& reach = lights_.reach[std::size_t(i)] = 0;
     for (std::size_t node = 0; node < boxes.size(); ++node) {

@@ -50,8 +50,10 @@ class LitSurface : public Feature {
  private:
   enum class Power { direct, stable, table };
   void choose_lights(const Scene& scene);
-  void choose_for_nodes(const Scene& scene, const std::vector<Light>& lights, const std::vector<int>& kept);
-  void find_reach(const Scene& scene);
+  /// `boxes` are those of the nodes, in world space; `kept` are indices into `lights`.
+  void choose_for_nodes(const Scene& scene, std::span<const Box3> boxes, const std::vector<Light>& lights,
+                        const std::vector<int>& kept);
+  void find_reach(std::span<const Box3> boxes);
   bool shines_on(int light, std::size_t node) const;
   std::function<double(double)> lobe() const;  ///< the height of a highlight's lobe, for an exponent
   GLuint power_table_for(float exponent);

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "catch.hpp"
+#include "scene/depth_range.hpp"
 
 namespace {
 
@@ -136,7 +137,7 @@ TEST_CASE("a light is tested against the surface including rounding errors", "[l
   const Light light{.position = {0.3 + away, 0, 0},
                     .colour = glm::vec3(float(0.9 * least_visible_light * away * away))};
   CHECK(lights_that_matter({light}, glm::dvec3(1), bounds(scene)).empty());
-  CHECK(lights_that_matter({light}, glm::dvec3(1), box_of_drawn(scene)) == std::vector<int>{0});
+  CHECK(lights_that_matter({light}, glm::dvec3(1), box_of_drawn(node_boxes(scene))) == std::vector<int>{0});
   CHECK(box_of_drawn({}).empty());
 }
 
