@@ -18,8 +18,12 @@ class HeldFolder {
   /// a folder, or a symbolic link.
   explicit HeldFolder(std::filesystem::path path);
 
+  /// A folder of another file system's view, which `folder` holds open and this process cannot reach by its path.
+  static HeldFolder received(std::filesystem::path path, Descriptor folder);
+
   const std::filesystem::path& path() const { return path_; }  ///< where it was when it was opened
-  /// Whether path() still leads to this folder. Only for messages: the answer may change at once.
+  /// Whether path() still leads to this folder; of one that was received, true. Only for messages: the answer may
+  /// change at once.
   bool in_place() const;
 
   /// A new folder in this one. Throws Error with the system's reason, also if the name exists.
@@ -39,6 +43,7 @@ class HeldFolder {
 
   std::filesystem::path path_;
   Descriptor folder_;
+  bool received_ = false;
 };
 
 }  // namespace atelier

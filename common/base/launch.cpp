@@ -37,21 +37,6 @@ bool is_program(const fs::path& file) {
   return fs::is_regular_file(file, ignored) && ::access(file.c_str(), X_OK) == 0;
 }
 
-/// The absolute path of a program: a name with a slash is a path, any other name is searched for in PATH. exec cannot
-/// do this, because the child may have another working directory and environment.
-fs::path find_program(const std::string& name) {
-  if (name.find('/') != std::string::npos) return fs::absolute(name);
-  const char* variable = std::getenv("PATH");
-  const std::string path = variable ? variable : "/usr/local/bin:/usr/bin:/bin";
-  for (std::size_t begin = 0; begin <= path.size();) {
-    const std::size_t end = std::min(path.find(':', begin), path.size());
-    const fs::path folder = end == begin ? fs::path(".") : fs::path(path.substr(begin, end - begin));
-    if (is_program(folder / name)) return fs::absolute(folder / name);
-    begin = end + 1;
-  }
-  throw Error(fmt::format("program '{}' is not found in PATH ({})", name, path));
-}
-
 /// A null-terminated array of pointers, as execve takes it. `strings` must outlive it.
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
@@ -153,6 +138,19 @@ void reset_signals() {
 }
 
 }  // namespace
+
+fs::path find_program(const std::string& name) {
+  if (name.find('/') != std::string::npos) return fs::absolute(name);
+  const char* variable = std::getenv("PATH");
+  const std::string path = variable ? variable : "/usr/local/bin:/usr/bin:/bin";
+  for (std::size_t begin = 0; begin <= path.size();) {
+    const std::size_t end = std::min(path.find(':', begin), path.size());
+    const fs::path folder = end == begin ? fs::path(".") : fs::path(path.substr(begin, end - begin));
+    if (is_program(folder / name)) return fs::absolute(folder / name);
+    begin = end + 1;
+  }
+  throw Error(fmt::format("program '{}' is not found in PATH ({})", name, path));
+}
 
 Pipe make_pipe() {
   int ends[2];

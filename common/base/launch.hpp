@@ -26,6 +26,10 @@ struct PassedDescriptor {
   int parent_number = -1, child_number = 0;  ///< child_number: 0..15
 };
 
+/// The absolute path of a program: a name with a slash is a path, any other name is searched for in PATH, which exec
+/// cannot do for a child with another working directory and environment. Throws Error if it is not found.
+std::filesystem::path find_program(const std::string& name);
+
 struct Launch {
   std::vector<std::string> arguments;                             ///< the program (searched in PATH) and its arguments
   std::filesystem::path folder;                                   ///< working directory; empty: the parent's

@@ -105,6 +105,7 @@ struct GradeOptions {
   int workers = 2;
   std::string context;
   std::optional<std::uint64_t> shuffle;
+  std::string sandbox = "best";  ///< or full, account, none (sandbox/tier.hpp)
   bool json = false;
 };
 int run_grade(const GradeOptions& options);

@@ -183,6 +183,10 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   command->add_option("--workers", grade.workers, "Number of programs that draw at the same time")
       ->check(CLI::Range(1, 64))
       ->capture_default_str();
+  command
+      ->add_option("--sandbox", grade.sandbox,
+                   "What confines a student's code: best (that works here), full, account or none")
+      ->capture_default_str();
   command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);

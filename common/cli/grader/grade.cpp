@@ -4,7 +4,6 @@
 
 #include <cerrno>
 #include <cstring>
-#include <deque>
 #include <exception>
 
 #include "base/error.hpp"
@@ -13,12 +12,10 @@
 #include "base/printable.hpp"
 #include "base/replace_together.hpp"
 #include "cli/commands.hpp"
-#include "cli/criteria.hpp"
+#include "cli/grader/submission_grader.hpp"
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
-#include "cli/search_path.hpp"
 #include "cli/stop.hpp"
-#include "grade/environment.hpp"
 #include "grade/submission.hpp"
 #include "judge/report/report_html.hpp"
 #include "judge/report/report_json.hpp"
@@ -30,15 +27,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using judge::StepResult;
-
-/// Data shared by all steps of one submission.
-struct Grading {
-  ProjectFolders folders = project_folders();
-  std::vector<CourseStep> course = read_course(folders.step_flags());
-  judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
-  TemporaryFolder work_folder{"atelier-grade"};  ///< the copied files, their libraries, the driver's cache
-  grade::Submission submission;
-};
 
 /// Creates the results folder before grading, so that a long run does not fail at the end.
 void prepare_results_folder(const fs::path& out) {
@@ -59,56 +47,11 @@ void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source)
 }
 
 /// The requested steps, or all that were handed in.
-std::vector<CourseStep> steps_to_grade(const Grading& grading, const std::vector<std::string>& asked) {
-  std::vector<CourseStep> steps = resolve_steps(grading.course, asked);
-  if (asked.empty())
-    std::erase_if(steps, [&](const auto& step) { return !grading.submission.present.contains(step.name); });
+std::vector<CourseStep> steps_to_grade(const std::vector<CourseStep>& course, const grade::Submission& submission,
+                                       const std::vector<std::string>& asked) {
+  std::vector<CourseStep> steps = resolve_steps(course, asked);
+  if (asked.empty()) std::erase_if(steps, [&](const auto& step) { return !submission.present.contains(step.name); });
   return steps;
-}
-
-/// Earlier steps come from the solution, which a release may lack.
-void require_earlier_solutions(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
-  for (const CourseStep& step : steps)
-    for (const std::string& earlier : step.uses)
-      if (!is_there(folders, earlier, Owner::solution))
-        throw Error(
-            fmt::format("grade: {} is graded with the solution of {}, and this copy of the course has none "
-                        "that runs here",
-                        step.name, earlier));
-}
-
-StepResult grade_step(const Grading& grading, const GradeOptions& options, const CourseStep& step,
-                      const grade::StepJudge& judge, const StopOnSignal& stop, Progress& progress) {
-  const grade::Submission& submission = grading.submission;
-  if (const auto found = submission.skipped.find(step.name); found != submission.skipped.end())
-    return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
-  if (!submission.present.contains(step.name)) return judge.judge_absent();
-  if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
-    return judge.judge_unbuilt(judge::not_built(found->second));
-
-  const grade::Code code{.sources = submission.folder, .libraries = grading.work_folder.path() / "libraries"};
-  progress.building(step.name);
-  const judge::Built built = judge::build_step(grading.flags, step.name, code.sources / step.name, code.libraries);
-  if (stop.requested()) throw judge::Interrupted();  // do not blame the student for an interrupted compiler
-  if (!built.ok) return judge.judge_unbuilt(built);
-
-  const Owners earlier = choose_owners(grading.folders, grading.course, step, "solution");
-  judge::RunSettings settings;
-  settings.program = grading.folders.program(step.name);
-  settings.implementations = search_path(grading.folders, step, code, earlier);
-  if (is_there(grading.folders, step.name, Owner::solution))
-    settings.solution = search_path(grading.folders, step, code_of(grading.folders, Owner::solution), earlier);
-  settings.context = options.context;
-  settings.workers = options.workers;
-  settings.shuffle = options.shuffle;
-  settings.interrupted = [&] { return stop.requested(); };
-  settings.shader_cache = grading.work_folder.path() / "shaders";  // never shared, since it contains machine code
-  std::size_t judged = 0;
-  const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
-  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
-  result.build_log = built.log;
-  result.implementations = in_words(earlier, step.name, "submission");
-  return result;
 }
 
 void write_results(judge::SubmissionResult& result, const fs::path& out) {
@@ -123,38 +66,29 @@ void write_results(judge::SubmissionResult& result, const fs::path& out) {
 
 int run_grade(const GradeOptions& options) {
   const StopOnSignal stop;
-  Grading grading;
-  grading.submission =
-      grade::take_submission(grading.flags, options.submission, grading.work_folder.path() / "submission");
-  const fs::path out =
-      options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
+  const ProjectFolders folders = project_folders();
+  const std::vector<CourseStep> course = read_course(folders.step_flags());
+  const TemporaryFolder copies("atelier-submission");
+  const grade::Submission submission =
+      grade::take_submission(judge::read_step_flags(folders.step_flags()), options.submission, copies.path() / "files");
+  const fs::path out = options.out.empty() ? folders.out() / "grade" / submission.name : fs::absolute(options.out);
 
-  const std::vector<CourseStep> steps = steps_to_grade(grading, options.steps);
-  const judge::Environment environment =
-      grade::describe_environment(options.context, grading.folders.step_flags(), grading.folders.root);
-  if (const std::string& driver = environment.at("driver"); driver.starts_with(grade::no_driver))
-    throw Error(
-        fmt::format("this machine cannot draw, so nothing is graded: {}", driver.substr(grade::no_driver.size())));
-  require_earlier_solutions(grading.folders, steps);
+  const sandbox::Tier tier = sandbox::choose_tier(sandbox::find_possible_tiers(), options.sandbox);
+  const std::vector<CourseStep> steps = steps_to_grade(course, submission, options.steps);
+  const SubmissionGrader grader(
+      folders, course, steps,
+      {.context = options.context, .workers = options.workers, .shuffle = options.shuffle, .tier = tier});
   prepare_results_folder(out);
 
-  // Read all references first: if one is broken, nothing is graded.
-  std::deque<grade::StepJudge> judges;
-  for (const CourseStep& step : steps) {
-    judges.emplace_back(criteria_of(grading.folders, step));
-    judges.back().require_references();
-  }
-
-  judge::SubmissionResult result;
-  result.submission = grading.submission.name;
-  result.environment = environment;
   Progress progress(steps.size());
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
+  judge::SubmissionResult result = grader.grade(
+      submission,
+      {.interrupted = [&] { return stop.requested(); },
+       .building = [&](const std::string& step) { progress.building(step); },
+       .judged = [&](const std::string& step, std::size_t k, std::size_t n) { progress.judged(step, k, n); },
+       .finished = [&](const StepResult& step) { progress.finished(step); }});
   progress.clear();
-  grade::sum_up(result);
-  set_rerun_commands(result, grading.submission.source);
-  result.notes = grading.submission.notes;
+  set_rerun_commands(result, submission.source);
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;

@@ -16,6 +16,7 @@
 #include "base/strict_json.hpp"
 #include "cli/author/marked_text.hpp"
 #include "cli/grader/release_leaks.hpp"
+#include "cli/grader/solution_for_later_steps.hpp"
 #include "cli/grader/visible_cases.hpp"
 #include "judge/compare/mistakes.hpp"
 
@@ -253,12 +254,8 @@ class Packer {
 
   /// What later steps need, and nothing readable: C++ as a library, shaders sealed; later steps read no choices.
   void pack_library(const CourseStep& step) {
-    for (const std::string& file : step.files) {
-      if (file.ends_with(".cpp"))
-        put(solution_path(step, "libstep.so"), stripped_library(step));
-      else if (file.ends_with(".glsl"))
-        put(solution_path(step, file), seal(finished_text_of(solution_path(step, file))));
-    }
+    for (auto& [file, bytes] : solution_for_later_steps(folders_, step))
+      put(solution_path(step, file), std::move(bytes));
     release_.carried.push_back(step.name);
   }
 
@@ -269,19 +266,6 @@ class Packer {
   /// A file of a solution without the marks for making its skeleton.
   std::string finished_text_of(const std::string& path) const {
     return finished_text(read_file(folders_.root / path), path);
-  }
-
-  /// Without debug information, which has file names of this machine and refers to source lines.
-  std::string stripped_library(const CourseStep& step) const {
-    const fs::path library = folders_.implementations() / "solutions" / step.name / "libstep.so";
-    if (!fs::exists(library))
-      throw Error(fmt::format("{}: is missing; build the project, then repeat the release", library.string()));
-    const TemporaryFolder scratch("atelier-strip");
-    const fs::path stripped = scratch.path() / "libstep.so";
-    const Finished strip =
-        run_process({.arguments = {"strip", "--strip-unneeded", "-o", stripped.string(), library.string()}});
-    if (!strip.ok()) throw Error(fmt::format("{}: cannot be stripped: {}", library.string(), strip.output));
-    return read_file(stripped);
   }
 
   void count_left_out(const std::vector<CourseStep>& course, const std::vector<CourseStep>& secret) {

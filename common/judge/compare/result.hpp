@@ -94,6 +94,7 @@ struct StepResult {
   std::string build_log;              ///< the compiler's messages; empty after a clean build; untrusted text
   std::string references = "stored";  ///< or "live": drawn by the solution with the driver that drew the answers
   std::map<std::string, std::string> implementations;  ///< step -> "yours", "solution": whose code was used
+  std::map<std::string, double> seconds;               ///< of work by kind: "compile", "start", "render", "compare"
   std::string caveat;  ///< what to read before the points, if they do not judge this step alone; otherwise empty
 };
 

@@ -61,6 +61,7 @@ std::vector<Answer> ask_cases(const RunSettings& settings, const std::string& st
   counted.count = true;
   if (settings.solution) {
     counted.implementations = *settings.solution;
+    counted.sandbox = nullptr;
     // Do not share cached shaders with the student's program: they are machine code.
     if (!counted.shader_cache.empty()) counted.shader_cache /= "counted";
   }

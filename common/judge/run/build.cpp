@@ -23,7 +23,6 @@ namespace atelier::judge {
 namespace {
 
 namespace fs = std::filesystem;
-using std::chrono::milliseconds;
 using strict_json::Json;
 
 /// A list of texts, each at most 4096 bytes.
@@ -111,7 +110,7 @@ std::vector<std::string> included_by_options(const StepFlags& flags) {
 
 /// Compiles one .cpp file to one object.
 Outcome compile(const StepFlags& flags, const std::string& step, const fs::path& sources, const std::string& source,
-                const fs::path& objects, milliseconds time_limit) {
+                const fs::path& objects, const ToolSettings& tools) {
   const fs::path dependencies = objects / (source + ".d");
   const std::vector<std::string> options = compile_options(flags, step);
   Recipe recipe{.command = {flags.compiler}, .folder = sources, .product = objects / (source + ".o")};
@@ -124,12 +123,12 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
   const Inputs before = fingerprints({source}, sources);
   const auto begin = fs::file_time_type::clock::now();
   Outcome outcome{.ok = false, .fresh = true, .log = {}};
-  const Opened opened = check_opened_files(flags, step, options, sources, source, objects, time_limit);
+  const Opened opened = check_opened_files(flags, step, options, sources, source, objects, tools);
   if (!opened.allowed) {
     outcome.log = opened.log;
     return outcome;
   }
-  outcome.ok = run_tool(recipe.command, sources, source, time_limit, outcome.log);
+  outcome.ok = run_tool(recipe.command, sources, source, tools, room_of_tools(options, objects), outcome.log);
   if (!outcome.ok) return outcome;
 
   // If an input was edited while the compiler ran, write no record, so that the next build compiles again.
@@ -148,11 +147,11 @@ Outcome compile(const StepFlags& flags, const std::string& step, const fs::path&
 /// Compiles all .cpp files, two at a time: the smallest machines have two cores.
 std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step, const fs::path& sources,
                                  const std::vector<std::string>& names, const fs::path& objects,
-                                 milliseconds time_limit) {
+                                 const ToolSettings& tools) {
   std::vector<Outcome> done(names.size());
   const auto every_second = [&](std::size_t first) {
     for (std::size_t i = first; i < names.size(); i += 2)
-      done[i] = compile(flags, step, sources, names[i], objects, time_limit);
+      done[i] = compile(flags, step, sources, names[i], objects, tools);
   };
   std::future<void> other;
   if (names.size() > 1) other = std::async(std::launch::async, every_second, 1);
@@ -163,7 +162,7 @@ std::vector<Outcome> compile_all(const StepFlags& flags, const std::string& step
 
 /// Links to a temporary file and renames it, so that a running program keeps the old library.
 Outcome link(const StepFlags& flags, const std::vector<std::string>& names, const fs::path& objects,
-             const fs::path& library, milliseconds time_limit) {
+             const fs::path& library, const ToolSettings& tools) {
   Recipe recipe{.command = {flags.compiler}, .folder = objects, .product = library};
   std::vector<std::string> inputs;
   for (const std::string& name : names) inputs.push_back(name + ".o");
@@ -176,7 +175,7 @@ Outcome link(const StepFlags& flags, const std::vector<std::string>& names, cons
   std::vector<std::string> command = recipe.command;
   append(command, {"-o", partial.string()});
   Outcome outcome{.ok = false, .fresh = true, .log = {}};
-  outcome.ok = run_tool(command, objects, "linking", time_limit, outcome.log);
+  outcome.ok = run_tool(command, objects, "linking", tools, room_of_tools({}, objects), outcome.log);
   if (!outcome.ok) return outcome;
   std::error_code error;
   fs::rename(partial, library, error);
@@ -232,11 +231,12 @@ Built not_built(const UnusableFiles& files) {
 }
 
 Built build_step(const StepFlags& flags, const std::string& step, const fs::path& sources, const fs::path& out,
-                 milliseconds time_limit) {
+                 const ToolSettings& tools) {
   const fs::path folder = fs::absolute(out) / step, objects = folder / "objects", library = folder / "libstep.so";
   std::error_code error;
   fs::create_directories(objects, error);
   if (error) throw Error(fmt::format("{}: cannot be created: {}", objects.string(), error.message()));
+  if (tools.sandbox) tools.sandbox->give(objects);
   const FolderLock lock(folder);  // `watch` and `check` may build the same step at the same time
   if (const UnusableFiles missing = missing_files(flags, step, sources); !missing.empty()) {
     remove_older(library);
@@ -249,10 +249,10 @@ Built build_step(const StepFlags& flags, const std::string& step, const fs::path
     for (const std::string& name : files_of(flags, step))
       if (name.ends_with(".cpp")) names.push_back(name);
 
-    std::vector<Outcome> done = compile_all(flags, step, fs::absolute(sources), names, objects, time_limit);
+    std::vector<Outcome> done = compile_all(flags, step, fs::absolute(sources), names, objects, tools);
     const auto succeeded = [](const Outcome& s) { return s.ok; };
     built.ok = std::all_of(done.begin(), done.end(), succeeded);
-    if (built.ok && !names.empty()) done.push_back(link(flags, names, objects, library, time_limit));
+    if (built.ok && !names.empty()) done.push_back(link(flags, names, objects, library, tools));
     for (const Outcome& s : done) {
       built.ok = built.ok && s.ok;
       built.fresh = built.fresh || s.fresh;

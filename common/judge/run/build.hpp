@@ -12,12 +12,12 @@
 //    "uses":    {"02-blinn-phong": ["01-transforms"]}}                        the earlier steps that it calls
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "judge/run/run_tool.hpp"
 #include "judge/run/source_file.hpp"
 
 namespace atelier::judge {
@@ -56,12 +56,13 @@ Built not_built(const UnusableFiles& files);
 /// deleted if the build fails. A step without C++ needs no library, so it is ok.
 ///
 /// Not ok, with the reason in `log`: a listed file (including shaders) is unusable (judge/run/source_file.hpp); an
-/// include is not allowed (judge/run/includes.hpp); the compiler or linker fails, or exceeds `time_limit` for one file.
+/// include is not allowed (judge/run/includes.hpp); the compiler or linker fails, or exceeds tools.time_limit for one
+/// file.
 ///
 /// Recompiles a file if its source, an included header or a flag has changed. Throws Error for an unknown step and if
 /// `out` cannot be written.
 Built build_step(const StepFlags& flags, const std::string& step, const std::filesystem::path& sources,
-                 const std::filesystem::path& out, std::chrono::milliseconds time_limit = std::chrono::seconds(60));
+                 const std::filesystem::path& out, const ToolSettings& tools = {});
 
 /// Copies only the step's listed files from `sources` to `folder`, so that no other file of a submission is ever read.
 /// Returns the unusable files, which are not copied; one that is missing and may_miss is none of them.

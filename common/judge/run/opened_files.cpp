@@ -52,7 +52,7 @@ std::string named_by(const std::string& line) {
 }
 
 Preprocessed preprocess(const StepFlags& flags, const std::vector<std::string>& options, const fs::path& folder,
-                        const std::string& source, const fs::path& objects, std::chrono::milliseconds time_limit) {
+                        const std::string& source, const fs::path& objects, const ToolSettings& tools) {
   const fs::path text = objects / (source + ".ii"), dependencies = objects / (source + ".opened");
   std::vector<std::string> command = {flags.compiler};
   command.insert(command.end(), options.begin(), options.end());
@@ -65,7 +65,7 @@ Preprocessed preprocess(const StepFlags& flags, const std::vector<std::string>& 
   command.insert(command.end(),
                  {"-E", source, "-o", text.string(), "-MD", "-MF", dependencies.string(), "-MT", "opened"});
   Preprocessed result;
-  result.ok = run_tool(command, folder, source, time_limit, result.log);
+  result.ok = run_tool(command, folder, source, tools, room_of_tools(options, objects), result.log);
   if (!result.ok) return result;
   for (const std::string& file : read_dependencies(dependencies)) result.opened.insert(canonical(folder, file));
   std::istringstream lines(read_file(text, preprocessed_limit));
@@ -88,10 +88,10 @@ struct Openable {
 };
 
 Openable find_openable(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
-                       const fs::path& objects, std::chrono::milliseconds time_limit) {
+                       const fs::path& objects, const ToolSettings& tools) {
   const std::string source = "all-headers.cpp";
   write_file(objects / source, text_with_all_headers(flags.headers_of(step)));
-  const Preprocessed all = preprocess(flags, options, objects, source, objects, time_limit);
+  const Preprocessed all = preprocess(flags, options, objects, source, objects, tools);
   if (!all.ok) throw Error(fmt::format("{}: the headers that a file may include cannot be read:\n{}", step, all.log));
   Openable openable{.files = all.opened, .library = {}};
   openable.files.insert(all.named.begin(), all.named.end());
@@ -103,7 +103,7 @@ Openable find_openable(const StepFlags& flags, const std::string& step, const st
 
 /// Asked of the compiler once, and again when a contract has changed.
 const Openable& openable(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
-                         const fs::path& objects, std::chrono::milliseconds time_limit) {
+                         const fs::path& objects, const ToolSettings& tools) {
   static std::mutex mutex;
   static std::map<std::string, Openable> known;
   std::string key = flags.compiler + '\n' + step;
@@ -117,7 +117,7 @@ const Openable& openable(const StepFlags& flags, const std::string& step, const 
   }
   const std::lock_guard lock(mutex);
   auto found = known.find(key);
-  if (found == known.end()) found = known.emplace(key, find_openable(flags, step, options, objects, time_limit)).first;
+  if (found == known.end()) found = known.emplace(key, find_openable(flags, step, options, objects, tools)).first;
   return found->second;
 }
 
@@ -125,10 +125,10 @@ const Openable& openable(const StepFlags& flags, const std::string& step, const 
 
 Opened check_opened_files(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
                           const fs::path& sources, const std::string& source, const fs::path& objects,
-                          std::chrono::milliseconds time_limit) {
-  const Preprocessed seen = preprocess(flags, options, sources, source, objects, time_limit);
+                          const ToolSettings& tools) {
+  const Preprocessed seen = preprocess(flags, options, sources, source, objects, tools);
   if (!seen.ok) return {.allowed = false, .log = seen.log};
-  const Openable& may = openable(flags, step, options, objects, time_limit);
+  const Openable& may = openable(flags, step, options, objects, tools);
   const std::string itself = canonical(sources, source);
   Opened result{.allowed = true, .log = {}};
   const auto refuse = [&](const std::string& file, const char* does) {

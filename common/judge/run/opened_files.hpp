@@ -6,7 +6,6 @@
 // headers.
 #pragma once
 
-#include <chrono>
 #include <filesystem>
 #include <string>
 
@@ -27,6 +26,6 @@ struct Opened {
 /// Files of the standard library's own subfolders (bits/, debug/) are allowed, since macros may choose among them.
 Opened check_opened_files(const StepFlags& flags, const std::string& step, const std::vector<std::string>& options,
                           const std::filesystem::path& sources, const std::string& source,
-                          const std::filesystem::path& objects, std::chrono::milliseconds time_limit);
+                          const std::filesystem::path& objects, const ToolSettings& tools);
 
 }  // namespace atelier::judge

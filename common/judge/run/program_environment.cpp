@@ -15,13 +15,17 @@ bool affects_driver(const std::string& variable) {
 }
 
 std::map<std::string, std::string> program_environment(const RunSettings& settings) {
-  std::map<std::string, std::string> environment = own_environment();
+  std::map<std::string, std::string> environment;
+  if (settings.sandbox)
+    environment = {{"PATH", "/usr/bin:/bin"}};
+  else
+    environment = own_environment();
   std::erase_if(environment, [](const auto& variable) { return affects_driver(variable.first); });
   environment["LANG"] = "C";
   environment["LP_NUM_THREADS"] = std::to_string(settings.driver_threads);
   // Without LLVM's optimisation passes llvmpipe compiles shaders in half the time, and draws the same bits.
   environment["GALLIVM_PERF"] = "nopt";
-  if (settings.shader_cache.empty())
+  if (settings.shader_cache.empty() || settings.sandbox)
     environment["MESA_SHADER_CACHE_DISABLE"] = "true";
   else
     environment["MESA_SHADER_CACHE_DIR"] = std::filesystem::absolute(settings.shader_cache).string();

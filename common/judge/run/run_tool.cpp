@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "base/error.hpp"
+#include "base/launch.hpp"
 #include "base/printable.hpp"
 #include "base/process.hpp"
 #include "judge/run/build.hpp"
@@ -13,25 +15,59 @@ namespace atelier::judge {
 namespace {
 
 /// Compiler messages in English with plain quotes, whatever the user's locale, so that reports do not depend on it.
-std::map<std::string, std::string> compiler_environment() {
+std::map<std::string, std::string> compiler_environment(bool confined) {
+  if (confined) return {{"LC_ALL", "C"}, {"PATH", "/usr/bin:/bin"}};
   std::map<std::string, std::string> environment = {{"LC_ALL", "C"}};
   for (const char* name : {"PATH", "HOME", "TMPDIR", "CCACHE_DIR"})
     if (const char* value = std::getenv(name)) environment[name] = value;
   return environment;
 }
 
+Finished run_confined(const Launch& wanted, const ToolSettings& settings, const sandbox::Room& room) {
+  const sandbox::Confined confined = settings.sandbox->confine(wanted, room);
+  Finished finished = run_process({.arguments = confined.launch.arguments,
+                                   .folder = confined.launch.folder,
+                                   .environment = confined.launch.environment,
+                                   .time_limit = settings.time_limit,
+                                   .output_limit = log_limit});
+  settings.sandbox->program_ended();
+  if (const std::string failure = sandbox::failure_of_sandbox(finished.output); !failure.empty())
+    throw Error("the sandbox cannot run the compiler: " + failure);
+  if ((finished.signal = sandbox::signal_of_status(finished.exit_status)) != 0) finished.exit_status = -1;
+  return finished;
+}
+
 }  // namespace
 
+sandbox::Room room_of_tools(const std::vector<std::string>& options, const std::filesystem::path& objects) {
+  sandbox::Room room;
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    if (options[i].starts_with("-I")) room.readable.push_back(options[i].substr(2));
+    if (i == 0) continue;
+    if (options[i - 1] == "-iquote") room.readable.push_back(options[i]);
+    if (options[i - 1] == "-include") room.readable.push_back(std::filesystem::path(options[i]).parent_path());
+  }
+  room.writable = {objects};
+  return room;
+}
+
 bool run_tool(std::vector<std::string> arguments, const std::filesystem::path& folder, const std::string& task,
-              std::chrono::milliseconds time_limit, std::string& log) {
-  const Finished finished = run_process({.arguments = std::move(arguments),
-                                         .folder = folder,
-                                         .environment = compiler_environment(),
-                                         .time_limit = time_limit,
-                                         .output_limit = log_limit});
+              const ToolSettings& settings, sandbox::Room room, std::string& log) {
+  const bool confined = settings.sandbox && settings.sandbox->tier() != sandbox::Tier::none;
+  const Launch wanted{.arguments = std::move(arguments),
+                      .folder = folder,
+                      .environment = compiler_environment(confined),
+                      .descriptors = {}};
+  room.readable.push_back(folder);
+  const Finished finished = confined ? run_confined(wanted, settings, room)
+                                     : run_process({.arguments = wanted.arguments,
+                                                    .folder = wanted.folder,
+                                                    .environment = wanted.environment,
+                                                    .time_limit = settings.time_limit,
+                                                    .output_limit = log_limit});
   log = printable(finished.output, Layout::keep_lines);
   if (finished.timed_out)
-    log = fmt::format("{}: took longer than {} s and was killed\n", task, time_limit.count() / 1000.0) + log;
+    log = fmt::format("{}: took longer than {} s and was killed\n", task, settings.time_limit.count() / 1000.0) + log;
   else if (finished.signal != 0)
     log = fmt::format("{}: the compiler crashed: {}\n", task, signal_name(finished.signal)) + log;
   else if (!finished.ok() && log.empty())

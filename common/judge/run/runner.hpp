@@ -23,6 +23,7 @@
 #include "case/case.hpp"
 #include "case/implementations.hpp"
 #include "judge/compare/answer.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace atelier::judge {
 
@@ -46,6 +47,9 @@ struct RunSettings {
   std::map<std::string, std::string> environment;  ///< additional variables, which override all others
   std::function<bool()> interrupted;               ///< called every few milliseconds; true stops the run; empty: never
   std::size_t output_limit = 8 << 10;              ///< bytes kept of the program's output during one case
+  /// Where the student's program runs; null: with our own rights. `solution` is trusted and never runs in it.
+  const sandbox::Sandbox* sandbox = nullptr;
+  std::vector<std::filesystem::path> readable;  ///< in the sandbox, besides the program, its libraries and its code
 };
 
 /// Thrown if RunSettings::interrupted returned true: the programs were killed, and there are no answers.
@@ -73,7 +77,7 @@ std::vector<Answer> run_cases(const RunSettings& settings, const std::vector<Cas
 bool affects_driver(const std::string& variable);
 
 /// The environment of a step program: ours without the variables above, plus fixed values for the driver. So the
-/// pictures do not depend on who runs the judge.
+/// pictures do not depend on who runs the judge. In a sandbox nothing is ours, and the driver has no cache.
 std::map<std::string, std::string> program_environment(const RunSettings& settings);
 
 /// The order in which `count` cases are asked: as listed, or shuffled with a seed, the same on every machine.

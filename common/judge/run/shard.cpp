@@ -89,11 +89,30 @@ Shard::Shard(const RunSettings& settings, const std::vector<Case>& cases, std::d
   start();
 }
 
+/// What a confined program may use: its own file, the libraries beside it, its code, the cases.
+sandbox::Room Shard::room(const std::filesystem::path& job, const std::filesystem::path& out) const {
+  constexpr std::size_t bytes_per_pixel = 4 * sizeof(float), for_all_else = std::size_t(64) << 20;
+  const std::filesystem::path program = std::filesystem::absolute(settings_.program);
+  sandbox::Room room;
+  room.readable = {program, program.parent_path().parent_path() / "lib", job};
+  room.readable.insert(room.readable.end(), settings_.readable.begin(), settings_.readable.end());
+  for (const Implementations::Root& root : settings_.implementations.roots())
+    room.readable.push_back(root.only.empty() ? root.folder : root.folder / root.only);
+  room.answers = out;
+  room.answers_bytes = for_all_else;
+  for (const std::size_t index : waiting_) {
+    const glm::ivec2 size = cases_[index].size;
+    const std::size_t picture = bytes_per_pixel * std::size_t(size.x) * std::size_t(size.y);
+    room.answers_bytes = std::max(room.answers_bytes, for_all_else + 2 * picture);
+  }
+  return room;
+}
+
 /// Starts a process for the waiting cases, in a new folder, so that files of a crashed process are not read as answers.
 void Shard::start() {
   out_.reset();
   folder_.emplace("atelier-run");
-  out_ = folder_->held().create_folder("out");
+  HeldFolder out = folder_->held().create_folder("out");
   const std::filesystem::path job = folder_->path() / "job.json";
   nlohmann::json asks = nlohmann::json::array();
   for (const std::size_t index : waiting_) asks.push_back(to_json(cases_[index]));
@@ -103,7 +122,7 @@ void Shard::start() {
                                         "--cases",
                                         job.string(),
                                         "--out",
-                                        out_->path().string(),
+                                        out.path().string(),
                                         "--implementations",
                                         settings_.implementations.to_string(),
                                         "--progress",
@@ -112,7 +131,13 @@ void Shard::start() {
   if (settings_.truth) arguments.push_back("--truth");
   if (!settings_.context.empty() && !settings_.truth)
     arguments.insert(arguments.end(), {"--context", settings_.context});
-  worker_ = std::make_unique<Worker>(arguments, program_environment(settings_));
+  const Launch start{.arguments = std::move(arguments), .folder = {}, .environment = program_environment(settings_)};
+  if (settings_.sandbox) settings_.sandbox->give(out.path());
+  worker_ = std::make_unique<Worker>(start, settings_.sandbox, room(job, out.path()));
+  if (Descriptor answers = worker_->take_answers())
+    out_ = HeldFolder::received(out.path(), std::move(answers));
+  else
+    out_ = std::move(out);
   case_begun_ = false;
   output_.clear();
   tail_.clear();

@@ -35,6 +35,7 @@ class Shard {
 
  private:
   void start();
+  sandbox::Room room(const std::filesystem::path& job, const std::filesystem::path& out) const;
   void read_pipes();
   void begin(const std::string& name);
   void end(const std::string& name);

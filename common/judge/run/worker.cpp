@@ -9,8 +9,6 @@
 #include <cerrno>
 #include <utility>
 
-#include "base/launch.hpp"
-
 namespace atelier::judge {
 namespace {
 
@@ -36,14 +34,18 @@ void drain(Descriptor& pipe, std::string& text) {
 
 }  // namespace
 
-Worker::Worker(std::vector<std::string> arguments, const std::map<std::string, std::string>& environment) {
+Worker::Worker(Launch wanted, const sandbox::Sandbox* sandbox, const sandbox::Room& room) : sandbox_(sandbox) {
   Pipe progress = make_pipe(), output = make_pipe();
   const int printed = output.write.get();
-  child_ = launch({.arguments = std::move(arguments),
-                   .folder = {},
-                   .environment = environment,
-                   .descriptors = {{printed, 1}, {printed, 2}, {progress.write.get(), progress_descriptor}}});
+  wanted.descriptors = {{printed, 1}, {printed, 2}, {progress.write.get(), progress_descriptor}};
+  sandbox::Confined confined;
+  if (sandbox)
+    confined = sandbox->confine(wanted, room);
+  else
+    confined.launch = std::move(wanted);
+  child_ = launch(confined.launch);
   progress_ = std::move(progress.read), output_ = std::move(output.read);
+  if (confined.ours) answers_ = confined.receive_answers();
   for (const Descriptor* pipe : {&progress_, &output_}) ::fcntl(pipe->get(), F_SETFL, O_NONBLOCK);
 }
 
@@ -84,6 +86,9 @@ void Worker::kill() {
   const int status = kill_and_wait(child_);
   exit_ = Exit{.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
                .signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0};
+  if (!sandbox_) return;
+  sandbox_->program_ended();
+  if (const int signal = sandbox::signal_of_status(exit_->status)) *exit_ = {.status = -1, .signal = signal};
 }
 
 }  // namespace atelier::judge

@@ -6,12 +6,13 @@
 
 #include <sys/types.h>
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/descriptor.hpp"
+#include "base/launch.hpp"
+#include "sandbox/sandbox.hpp"
 
 namespace atelier::judge {
 
@@ -25,10 +26,10 @@ struct Exit {
 
 class Worker {
  public:
-  /// Starts arguments[0], a path, with exactly this environment. Its stdin is empty, and it inherits no other
-  /// descriptors. Throws Error naming the program and the system's reason if it cannot be started.
-  Worker(std::vector<std::string> arguments, const std::map<std::string, std::string>& environment);
-  ~Worker();  ///< kills the program's process group and waits for the program
+  /// Starts it with a pipe for its output and one for its progress; its stdin is empty. It runs confined if there is a
+  /// sandbox, in this room. Throws Error naming the program and the system's reason if it cannot be started.
+  explicit Worker(Launch wanted, const sandbox::Sandbox* sandbox = nullptr, const sandbox::Room& room = {});
+  ~Worker();  ///< kills the program and all that it has started, and waits for it
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
@@ -44,13 +45,17 @@ class Worker {
   /// How it ended, or nothing while it runs. Never waits.
   std::optional<Exit> ended();
 
-  /// Kills the program's process group at once and waits for the program.
+  /// Kills the program and all that it has started at once, and waits for it.
   void kill();
+
+  /// The folder of answers, where it exists only in the sandbox; at most once.
+  Descriptor take_answers() { return std::move(answers_); }
 
  private:
   pid_t child_ = -1;  ///< leads a process group of the same number
   std::optional<Exit> exit_;
-  Descriptor progress_, output_;
+  Descriptor progress_, output_, answers_;
+  const sandbox::Sandbox* sandbox_;
   std::string line_;  ///< the beginning of an incomplete line
 };
 

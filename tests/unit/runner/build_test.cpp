@@ -213,7 +213,7 @@ TEST_CASE("a compiler that takes too long is killed") {
                "};\n"
                "template <long path> struct Tree<0, path> { static constexpr long n = 1; };\n"
                "extern \"C\" long sum(int, int) { return Tree<40, 1>::n; }\n");
-  const Built built = build_step(course.flags, "90-sums", course.student, course.out, 1s);
+  const Built built = build_step(course.flags, "90-sums", course.student, course.out, {.time_limit = 1s});
   CHECK(!built.ok);
   CHECK(has_all(built.log, {"sum.cpp: took longer than 1 s"}));
 }

@@ -1,0 +1,141 @@
+#include "cli/grader/submission_grader.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <set>
+
+#include "base/error.hpp"
+#include "cli/criteria.hpp"
+#include "cli/grader/solution_for_later_steps.hpp"
+#include "cli/search_path.hpp"
+#include "grade/environment.hpp"
+#include "judge/run/build.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using judge::StepResult;
+
+/// Earlier steps come from the solution, which a release may lack.
+void require_earlier_solutions(const ProjectFolders& folders, const std::vector<CourseStep>& steps) {
+  for (const CourseStep& step : steps)
+    for (const std::string& earlier : step.uses)
+      if (!is_there(folders, earlier, Owner::solution))
+        throw Error(
+            fmt::format("grade: {} is graded with the solution of {}, and this copy of the course has none "
+                        "that runs here",
+                        step.name, earlier));
+}
+
+}  // namespace
+
+SubmissionGrader::SubmissionGrader(const ProjectFolders& folders, const std::vector<CourseStep>& course,
+                                   const std::vector<CourseStep>& steps, const GraderSettings& settings)
+    : folders_(folders),
+      course_(course),
+      steps_(steps),
+      flags_(judge::read_step_flags(folders.step_flags())),
+      settings_(settings),
+      environment_(grade::describe_environment(settings.context, folders.step_flags(), folders.root)),
+      published_("atelier-published") {
+  if (const std::string& driver = environment_.at("driver"); driver.starts_with(grade::no_driver))
+    throw Error(
+        fmt::format("this machine cannot draw, so nothing is graded: {}", driver.substr(grade::no_driver.size())));
+  environment_["sandbox"] = sandbox::to_string(settings.tier);
+  require_earlier_solutions(folders, steps);
+  for (const CourseStep& step : steps) {
+    judges_.emplace_back(criteria_of(folders, step));
+    judges_.back().require_references();
+  }
+  publish_earlier_steps();
+}
+
+void SubmissionGrader::publish_earlier_steps() {
+  std::set<std::string> used;
+  for (const CourseStep& step : steps_) used.insert(step.uses.begin(), step.uses.end());
+  for (const std::string& name : used)
+    for (const auto& [file, bytes] : solution_for_later_steps(folders_, resolve_step(course_, name)))
+      write_file(published_.path() / name / file, bytes);
+  fs::permissions(published_.path(), fs::perms(0755));
+}
+
+/// What a student's program may read: given code, its own, and what is published of the steps that it uses.
+Implementations SubmissionGrader::public_search_path(const CourseStep& step, const grade::Code& code) const {
+  std::vector<Implementations::Root> roots = {{folders_.steps(), step.name + "/given"}};
+  for (const fs::path& folder : {code.libraries, code.sources})
+    if (fs::is_directory(folder / step.name)) roots.push_back({folder, step.name});
+  for (const std::string& name : step.uses) {
+    roots.push_back({published_.path(), name});
+    if (fs::is_directory(folders_.steps() / name / "given")) roots.push_back({folders_.steps(), name + "/given"});
+  }
+  return Implementations(std::move(roots));
+}
+
+judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submission, const GraderEvents& events) const {
+  judge::SubmissionResult result;
+  result.submission = submission.name;
+  result.environment = environment_;
+  result.notes = submission.notes;
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    result.steps.push_back(grade_step(submission, steps_[i], judges_[i], events));
+    if (events.finished) events.finished(result.steps.back());
+  }
+  grade::sum_up(result);
+  return result;
+}
+
+StepResult SubmissionGrader::grade_step(const grade::Submission& submission, const CourseStep& step,
+                                        const grade::StepJudge& judge, const GraderEvents& events) const {
+  if (const auto found = submission.skipped.find(step.name); found != submission.skipped.end())
+    return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
+  if (!submission.present.contains(step.name)) return judge.judge_absent();
+  if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
+    return judge.judge_unbuilt(judge::not_built(found->second));
+
+  const TemporaryFolder work("atelier-grade");  // the student's libraries, and the driver's cache
+  const sandbox::Sandbox sandbox(settings_.tier);
+  const grade::Code code{.sources = submission.folder, .libraries = work.path() / "libraries"};
+  if (events.building) events.building(step.name);
+  const auto begin = std::chrono::steady_clock::now();
+  sandbox.let_through(work.path());
+  sandbox.let_through(submission.folder.parent_path());
+  const judge::Built built =
+      judge::build_step(flags_, step.name, code.sources / step.name, code.libraries, {.sandbox = &sandbox});
+  if (events.interrupted && events.interrupted())
+    throw judge::Interrupted();  // do not blame the student for an interrupted compiler
+  const std::chrono::duration<double> compiling = std::chrono::steady_clock::now() - begin;
+  StepResult result =
+      built.ok ? grade_built(code, step, judge, sandbox, work.path() / "shaders", events) : judge.judge_unbuilt(built);
+  result.build_log = built.log;
+  result.seconds["compile"] = compiling.count();
+  return result;
+}
+
+StepResult SubmissionGrader::grade_built(const grade::Code& code, const CourseStep& step, const grade::StepJudge& judge,
+                                         const sandbox::Sandbox& sandbox, const fs::path& shader_cache,
+                                         const GraderEvents& events) const {
+  const Owners earlier = choose_owners(folders_, course_, step, "solution");
+  judge::RunSettings settings;
+  settings.program = folders_.program(step.name);
+  settings.implementations = public_search_path(step, code);
+  if (is_there(folders_, step.name, Owner::solution))
+    settings.solution = search_path(folders_, step, code_of(folders_, Owner::solution), earlier);
+  settings.context = settings_.context;
+  settings.workers = settings_.workers;
+  settings.shuffle = settings_.shuffle;
+  settings.interrupted = events.interrupted;
+  settings.shader_cache = shader_cache;  // never shared, since it contains machine code
+  settings.sandbox = &sandbox;
+  settings.readable = {folders_.root / "common"};  // shaders
+  std::size_t judged = 0;
+  const auto on_case = [&] {
+    if (events.judged) events.judged(step.name, ++judged, judge.cases().size());
+  };
+  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
+  result.implementations = in_words(earlier, step.name, "submission");
+  return result;
+}
+
+}  // namespace atelier

@@ -1,0 +1,120 @@
+#include "sandbox/control_group.hpp"
+
+#include <fmt/format.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "base/file.hpp"
+
+namespace atelier::sandbox {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool write_value(const fs::path& file, const std::string& value) {
+  std::ofstream stream(file);
+  stream << value << std::flush;
+  return stream.good();
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return text.str();
+}
+
+/// The group of this process in the hierarchy of a controller of version 1, "/a/b"; empty: there is none.
+std::string own_group(const fs::path& own, const std::string& controller) {
+  std::istringstream lines(text_of(own));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (second == line.npos) continue;
+    std::istringstream controllers(line.substr(first + 1, second - first - 1));
+    for (std::string each; std::getline(controllers, each, ',');)
+      if (each == controller) return line.substr(second + 1);
+  }
+  return "";
+}
+
+/// A folder of version 1 with one limit; an empty path without success.
+fs::path make_first(const fs::path& root, const fs::path& own, const std::string& name, const char* controller,
+                    const char* limit, const std::string& value) {
+  const std::string group = own_group(own, controller);
+  if (group.empty()) return {};
+  const fs::path folder = root / controller / group.substr(1) / name;
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (!error && write_value(folder / limit, value)) return folder;
+  fs::remove(folder, error);
+  return {};
+}
+
+/// A folder of version 2 with both limits. It lies in the root, whose controllers serve all groups below it: a group
+/// that has processes itself, as ours, can have none below it.
+fs::path make_second(const fs::path& root, const std::string& name, std::size_t memory, int processes) {
+  const std::string controllers = text_of(root / "cgroup.subtree_control");
+  if (controllers.find("memory") == controllers.npos || controllers.find("pids") == controllers.npos) return {};
+  const fs::path folder = root / name;
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (!error && write_value(folder / "memory.max", std::to_string(memory)) &&
+      write_value(folder / "pids.max", std::to_string(processes)))
+    return folder;
+  fs::remove(folder, error);
+  return {};
+}
+
+}  // namespace
+
+std::unique_ptr<ControlGroup> ControlGroup::create(const std::string& name, std::size_t memory, int processes,
+                                                   const fs::path& root, const fs::path& own) {
+  std::unique_ptr<ControlGroup> group(new ControlGroup);
+  const auto add = [&](fs::path folder) {
+    if (!folder.empty()) group->folders_.push_back(std::move(folder));
+  };
+  if (fs::exists(root / "cgroup.controllers")) {
+    add(make_second(root, name, memory, processes));
+  } else {
+    add(make_first(root, own, name, "memory", "memory.limit_in_bytes", std::to_string(memory)));
+    add(make_first(root, own, name, "pids", "pids.max", std::to_string(processes)));
+  }
+  return group->folders_.empty() ? nullptr : std::move(group);
+}
+
+ControlGroup::~ControlGroup() {
+  using namespace std::chrono_literals;
+  for (int round = 0; round < 200; ++round) {  // processes that were killed take a moment to be gone
+    kill_all();
+    bool all_gone = true;
+    for (const fs::path& folder : folders_) all_gone &= ::rmdir(folder.c_str()) == 0 || !fs::exists(folder);
+    if (all_gone) return;
+    std::this_thread::sleep_for(5ms);
+  }
+}
+
+void ControlGroup::kill_all() const {
+  for (const fs::path& folder : folders_) {
+    std::istringstream numbers(text_of(folder / "cgroup.procs"));
+    for (pid_t process = 0; numbers >> process;)
+      if (process > 1 && process != ::getpid()) ::kill(process, SIGKILL);
+  }
+}
+
+bool ControlGroup::ran_out_of_memory() const {
+  for (const fs::path& folder : folders_)
+    for (const char* file : {"memory.oom_control", "memory.events"}) {
+      std::istringstream lines(text_of(folder / file));
+      std::string key;
+      for (long long count = 0; lines >> key >> count;)
+        if (key == "oom_kill" && count > 0) return true;
+    }
+  return false;
+}
+
+}  // namespace atelier::sandbox

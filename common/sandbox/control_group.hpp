@@ -1,0 +1,33 @@
+// A control group of Linux: limits on the memory and the number of processes of all programs in it together.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace atelier::sandbox {
+
+class ControlGroup {
+ public:
+  /// A new group in the hierarchies below `root`, version 1 or 2; null where this process may not make one.
+  static std::unique_ptr<ControlGroup> create(const std::string& name, std::size_t memory, int processes,
+                                              const std::filesystem::path& root = "/sys/fs/cgroup",
+                                              const std::filesystem::path& own = "/proc/self/cgroup");
+  ~ControlGroup();  ///< kills all processes in it and removes it
+  ControlGroup(const ControlGroup&) = delete;
+  ControlGroup& operator=(const ControlGroup&) = delete;
+
+  /// The folders into whose file cgroup.procs a process writes its number to be in the group.
+  const std::vector<std::filesystem::path>& folders() const { return folders_; }
+
+  void kill_all() const;
+  bool ran_out_of_memory() const;  ///< whether the system has killed a process of the group for want of memory
+
+ private:
+  ControlGroup() = default;
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace atelier::sandbox
