@@ -28,13 +28,13 @@ inline Result libc(const char* name, Arguments... arguments) {
 }
 
 // As Linux has them on x86-64 and on AArch64.
-constexpr int read_only = 0, write_only = 1, create = 0100, truncate = 01000;
+[[maybe_unused]] constexpr int read_only = 0, write_only = 1, create = 0100, truncate = 01000;
 #if defined(__aarch64__)
-constexpr int folder_only = 040000;
+[[maybe_unused]] constexpr int folder_only = 040000;
 #else
-constexpr int folder_only = 0200000;
+[[maybe_unused]] constexpr int folder_only = 0200000;
 #endif
-constexpr int signal_kill = 9, signal_term = 15, signal_cont = 18, signal_stop = 19;
+[[maybe_unused]] constexpr int signal_kill = 9, signal_term = 15, signal_cont = 18, signal_stop = 19;
 
 #if defined(__aarch64__)
 enum : long { sys_ptrace = 117, sys_add_key = 217, sys_keyctl = 219, sys_mount = 40, sys_unshare = 97, sys_bpf = 280 };
@@ -146,7 +146,7 @@ inline const std::string canary = "/tmp/atelier-canary";        ///< a folder th
 inline const std::string secret_file = canary + "/secret.txt";  ///< its only line must be in no result
 inline const std::string honest_mark =
     std::string("written by ") + "the honest one";  ///< in the submission beside ours
-constexpr int canary_port = 47811;
+[[maybe_unused]] constexpr int canary_port = 47811;
 inline const std::string canary_process = "atelier-canary-process";
 
 // ---- What the test looks for

@@ -2,6 +2,8 @@
 HOSTILE_START {
   hostile::attempted("takes-memory");
   hostile::in_child([] {
+    // Where nothing stops it, the kernel ends this process before all others.
+    hostile::write_file("/proc/self/oom_score_adj", "1000");
     constexpr std::size_t step = 64 << 20, most = std::size_t(6) << 30;
     std::size_t taken = 0;
     for (; taken < most; taken += step) {
