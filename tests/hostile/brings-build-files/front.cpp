@@ -1,0 +1,3 @@
+HOSTILE_START {
+  hostile::attempted("brings-build-files");
+}

@@ -1,0 +1,2 @@
+#!/bin/sh
+echo x > /tmp/atelier-canary/written-brings-build-files

@@ -1,0 +1,3 @@
+#include "/dev/stdin"
+#include "/proc/self/environ"
+#include "/dev/zero"

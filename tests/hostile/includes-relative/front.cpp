@@ -1,0 +1,2 @@
+#include "../../../../../../../../tmp/atelier-canary/secret.txt"
+#include <../../../../../../../../tmp/atelier-canary/secret.txt>

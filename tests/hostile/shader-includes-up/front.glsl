@@ -1,0 +1,1 @@
+#include "01-transforms/../../../../../../../tmp/atelier-canary/secret.txt"

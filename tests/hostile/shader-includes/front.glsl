@@ -1,0 +1,1 @@
+#include "/tmp/atelier-canary/secret.txt"
