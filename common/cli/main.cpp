@@ -27,7 +27,13 @@ struct Interface {
   /// Adds a subcommand: its options are read into `options` and passed to `run`.
   template <class Options>
   CLI::App* add(const char* name, const char* text, Options& options, int (*run)(const Options&)) {
-    CLI::App* command = app.add_subcommand(name, text);
+    return add_to(app, name, text, options, run);
+  }
+
+  /// Adds a command of a command: ./atelier course check.
+  template <class Options>
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* text, Options& options, int (*run)(const Options&)) {
+    CLI::App* command = parent.add_subcommand(name, text);
     command->final_callback([this, &options, run] { action = [&options, run] { return run(options); }; });
     return command;
   }
@@ -82,6 +88,7 @@ struct AllOptions {
   DoctorOptions doctor;
   SubmitOptions submit;
   GradeOptions grade;
+  CourseCheckOptions course_check;
   ReleaseOptions release;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -186,6 +193,12 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);
+
+  CLI::App* course = interface.app.add_subcommand("course", "Rules that turn points into grades: course.toml");
+  course->require_subcommand(1);
+  CLI::App* course_check = interface.add_to(*course, "check", "Say what a course.toml means, or what is wrong with it",
+                                            options.course_check, run_course_check);
+  course_check->add_option("file", options.course_check.file, "The file")->capture_default_str();
 
   CLI::App* release = interface.add("release", "Make the students' version: no solutions, patches or hidden cases",
                                     options.release, run_release);
