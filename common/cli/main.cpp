@@ -355,8 +355,9 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({}))
     if (!command->get_group().empty()) known.push_back(command->get_name());
+  const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
   if (std::find(known.begin(), known.end(), named) == known.end())
-    throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
+    throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }
 
 /// The first argument is the step, the rest are for its program, except --earlier.
@@ -382,6 +383,8 @@ int run(int count, char** arguments) {
   const std::string named = count < 2 || arguments[1][0] == '-' ? "" : arguments[1];
   if (is_release()) leave_out_of_release(interface.app, named);
   if (!named.empty()) refuse_unknown_command(interface.app, named);
+  if (named == "course" && (count < 3 || arguments[2][0] != '-'))
+    refuse_unknown_command(*interface.app.get_subcommand(named), count < 3 ? "" : arguments[2]);
   try {
     interface.app.parse(count, arguments);
   } catch (const CLI::CallForHelp& help) {
