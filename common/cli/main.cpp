@@ -356,6 +356,7 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
   for (const CLI::App* command : app.get_subcommands({}))
     if (!command->get_group().empty()) known.push_back(command->get_name());
   const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
+  if (named.empty()) throw Error(fmt::format("{}a command is missing{}", of, suggestion(named, known)));
   if (std::find(known.begin(), known.end(), named) == known.end())
     throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }

@@ -7,6 +7,7 @@
 
 #include "base/base64.hpp"
 #include "base/file.hpp"
+#include "base/near_names.hpp"
 #include "grade/class_assets.hpp"
 #include "grade/class_statistics.hpp"
 #include "grade/class_table.hpp"
@@ -39,13 +40,14 @@ std::string duration_words(double seconds) {
 
 std::string header_html(const ClassResults& results) {
   const ClassSummary& summary = results.summary;
-  std::string line = escape_markup(results.course.title);
-  if (!summary.platform.empty()) line += " &middot; names as of " + escape_markup(summary.platform);
-  line += fmt::format(" &middot; {} {}", results.steps.size(), results.steps.size() == 1 ? "step" : "steps");
-  if (summary.seconds > 0) line += " &middot; graded in " + duration_words(summary.seconds);
+  std::vector<std::string> parts;
+  if (!results.course.title.empty()) parts.push_back(escape_markup(results.course.title));
+  parts.push_back(fmt::format("{} {}", results.steps.size(), results.steps.size() == 1 ? "step" : "steps"));
+  if (!summary.platform.empty()) parts.push_back("names as in " + escape_markup(summary.platform));
+  if (summary.seconds > 0) parts.push_back("graded in " + duration_words(summary.seconds));
   return fmt::format(
       "<header class=\"top\">\n<h1>{}</h1><span class=\"total\">{}</span>\n<p class=\"tally\">{}</p>\n</header>\n",
-      escape_markup(summary.name), students_words(results.rows.size()), line);
+      escape_markup(summary.name), students_words(results.rows.size()), join(parts, " &middot; "));
 }
 
 /// What the class as a whole must have looked at, beside single students.

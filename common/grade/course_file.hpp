@@ -57,7 +57,7 @@ struct GradebookColumn {
 };
 
 struct CourseFile {
-  std::string title = "Course";
+  std::string title;             ///< empty: none
   std::vector<StepRules> steps;  ///< sorted by name; empty: all steps count, with the cases' own points
   std::map<std::string, TierRule> tiers{
       {"core", TierRule::counts}, {"further", TierRule::counts}, {"challenge", TierRule::counts}};

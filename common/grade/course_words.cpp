@@ -71,7 +71,8 @@ std::vector<std::string> without_effect(const CourseFile& course) {
 }  // namespace
 
 std::string course_in_words(const CourseFile& course, const std::map<std::string, std::string>& steps) {
-  std::string words = course.title + "\n\n" + steps_table(course, steps) + "\n";
+  std::string words = course.title.empty() ? "" : course.title + "\n\n";
+  words += steps_table(course, steps) + "\n";
   words += line("tiers", tiers_words(course.tiers));
   words += line("late", late_words(course.late));
   words += line("attempts", course.attempts == Attempts::last ? "the last one counts" : "the best one counts");
