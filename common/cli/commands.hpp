@@ -110,6 +110,11 @@ struct GradeOptions {
 };
 int run_grade(const GradeOptions& options);
 
+struct CourseCheckOptions {
+  std::filesystem::path file = "course.toml";
+};
+int run_course_check(const CourseCheckOptions& options);
+
 struct ReleaseOptions {
   std::vector<std::string> steps;   ///< or "all"
   std::filesystem::path out;        ///< a new or empty folder, or a path that ends in .zip

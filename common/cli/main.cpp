@@ -27,7 +27,13 @@ struct Interface {
   /// Adds a subcommand: its options are read into `options` and passed to `run`.
   template <class Options>
   CLI::App* add(const char* name, const char* text, Options& options, int (*run)(const Options&)) {
-    CLI::App* command = app.add_subcommand(name, text);
+    return add_to(app, name, text, options, run);
+  }
+
+  /// Adds a command of a command: ./atelier course check.
+  template <class Options>
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* text, Options& options, int (*run)(const Options&)) {
+    CLI::App* command = parent.add_subcommand(name, text);
     command->final_callback([this, &options, run] { action = [&options, run] { return run(options); }; });
     return command;
   }
@@ -82,6 +88,7 @@ struct AllOptions {
   DoctorOptions doctor;
   SubmitOptions submit;
   GradeOptions grade;
+  CourseCheckOptions course_check;
   ReleaseOptions release;
   AuditOptions audit;
   ReferenceOptions reference;
@@ -190,6 +197,12 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
   add_context(command, grade.context);
   add_json(command, grade.json);
+
+  CLI::App* course = interface.app.add_subcommand("course", "Rules that turn points into grades: course.toml");
+  course->require_subcommand(1);
+  CLI::App* course_check = interface.add_to(*course, "check", "Say what a course.toml means, or what is wrong with it",
+                                            options.course_check, run_course_check);
+  course_check->add_option("file", options.course_check.file, "The file")->capture_default_str();
 
   CLI::App* release = interface.add("release", "Make the students' version: no solutions, patches or hidden cases",
                                     options.release, run_release);
@@ -346,8 +359,10 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({}))
     if (!command->get_group().empty()) known.push_back(command->get_name());
+  const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
+  if (named.empty()) throw Error(fmt::format("{}a command is missing{}", of, suggestion(named, known)));
   if (std::find(known.begin(), known.end(), named) == known.end())
-    throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
+    throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }
 
 /// The first argument is the step, the rest are for its program, except --earlier.
@@ -373,6 +388,8 @@ int run(int count, char** arguments) {
   const std::string named = count < 2 || arguments[1][0] == '-' ? "" : arguments[1];
   if (is_release()) leave_out_of_release(interface.app, named);
   if (!named.empty()) refuse_unknown_command(interface.app, named);
+  if (named == "course" && (count < 3 || arguments[2][0] != '-'))
+    refuse_unknown_command(*interface.app.get_subcommand(named), count < 3 ? "" : arguments[2]);
   try {
     interface.app.parse(count, arguments);
   } catch (const CLI::CallForHelp& help) {

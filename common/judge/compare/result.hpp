@@ -40,6 +40,7 @@ struct CaseResult {
   std::string name, title;
   Status status = Status::missing;
   double score = 0, max_score = 0;
+  std::string tier = "core";  ///< or "further", "challenge"
 
   std::string asked;                            ///< the required result, in one sentence
   std::string reason;                           ///< what is wrong, in one sentence; for a pass, the margin
@@ -79,7 +80,7 @@ struct Cause {
   };
   Kind kind = Kind::picture;
   std::vector<std::string> functions;  ///< of a picture: those that it needs and that no probe asks
-  int inputs = 0, wrong = 0;           ///< of a function: over all its probes
+  int inputs = 0, wrong = 0;           ///< of a function: over all its probes; 0 inputs: not to be said
   std::vector<std::size_t> shown;      ///< indices of StepResult::cases
   std::vector<std::size_t> waiting;    ///< other cases that fail because of it; pictures that show it best come first
 };
