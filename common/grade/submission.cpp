@@ -10,9 +10,11 @@
 #include "base/file.hpp"
 #include "base/near_names.hpp"
 #include "base/printable.hpp"
+#include "base/sha256.hpp"
 #include "base/utf16.hpp"
 #include "grade/archive.hpp"
 #include "grade/step_places.hpp"
+#include "grade/varied_cases.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -184,6 +186,17 @@ Submission take_submission(const judge::StepFlags& flags, const fs::path& source
   keep_first(submission.notes);
   if (submission.present.empty()) refuse_without_steps(flags, source, submission, paths);
   return submission;
+}
+
+std::uint64_t seed_of(const Submission& submission) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(submission.folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const fs::path& file : files)
+    text += file.lexically_relative(submission.folder).generic_string() + '\0' + sha256(read_file(file)) + '\n';
+  return std::stoull(sha256(text).substr(0, 16), nullptr, 16) & max_seed;
 }
 
 }  // namespace atelier::grade

@@ -1,6 +1,7 @@
 // Reads a submission, a folder or a ZIP. Only the files that a step lists are read.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -31,5 +32,10 @@ inline constexpr std::size_t max_notes = 20;  ///< if there are more, the last e
 /// were found.
 Submission take_submission(const judge::StepFlags& flags, const std::filesystem::path& source,
                            const std::filesystem::path& folder);
+
+/// A seed for the numbers that are drawn for a submission (grade/varied_cases.hpp), 0..max_seed: a hash of the names
+/// and bytes of the files in its private copy. So a regrade repeats it, wherever the submission lies, and who edits a
+/// file changes it.
+std::uint64_t seed_of(const Submission& submission);
 
 }  // namespace atelier::grade

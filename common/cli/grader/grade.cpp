@@ -38,6 +38,7 @@ struct Grading {
   judge::StepFlags flags = judge::read_step_flags(folders.step_flags());
   TemporaryFolder work_folder{"atelier-grade"};  ///< the copied files, their libraries, the driver's cache
   grade::Submission submission;
+  std::uint64_t seed = 0;  ///< of the numbers that are drawn for it
 };
 
 /// Creates the results folder before grading, so that a long run does not fail at the end.
@@ -49,13 +50,19 @@ void prepare_results_folder(const fs::path& out) {
                             error ? error.message() : std::strerror(errno)));
 }
 
-/// Sets the commands that judge a case of this submission again; empty for an archive, which `check` cannot read.
-void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source) {
+/// Sets the commands that judge a case of this submission again; empty for an archive, which `check` cannot read. With
+/// drawn numbers only `grade` does.
+void set_rerun_commands(judge::SubmissionResult& result, const Grading& grading, const fs::path& handed_in) {
+  const fs::path& source = grading.submission.source;
   const std::string folder = source.empty() ? "" : shell_word(source.string());
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
-      c.command =
-          folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
+      if (!c.other_numbers.empty())
+        c.command = fmt::format("./atelier grade {} --step {} --seed {}", shell_word(handed_in.string()), step.step,
+                                grading.seed);
+      else
+        c.command =
+            folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
 }
 
 /// The requested steps, or all that were handed in.
@@ -103,9 +110,16 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   settings.shuffle = options.shuffle;
   settings.interrupted = [&] { return stop.requested(); };
   settings.shader_cache = grading.work_folder.path() / "shaders";  // never shared, since it contains machine code
+  std::optional<grade::VariedCases> varied;
+  if (settings.solution) {
+    judge::RunSettings solution = settings;
+    solution.implementations = *settings.solution;
+    solution.shader_cache = grading.work_folder.path() / "shaders of the solution";
+    varied = judge.vary(grading.seed, solution);
+  }
   std::size_t judged = 0;
   const auto on_case = [&] { progress.judged(step.name, ++judged, judge.cases().size()); };
-  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
+  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case, varied ? &*varied : nullptr);
   result.build_log = built.log;
   result.implementations = in_words(earlier, step.name, "submission");
   return result;
@@ -126,6 +140,7 @@ int run_grade(const GradeOptions& options) {
   Grading grading;
   grading.submission =
       grade::take_submission(grading.flags, options.submission, grading.work_folder.path() / "submission");
+  grading.seed = options.seed.value_or(grade::seed_of(grading.submission));
   const fs::path out =
       options.out.empty() ? grading.folders.out() / "grade" / grading.submission.name : fs::absolute(options.out);
 
@@ -148,12 +163,13 @@ int run_grade(const GradeOptions& options) {
   judge::SubmissionResult result;
   result.submission = grading.submission.name;
   result.environment = environment;
+  result.seed = grading.seed;
   Progress progress(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
     progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
   progress.clear();
   grade::sum_up(result);
-  set_rerun_commands(result, grading.submission.source);
+  set_rerun_commands(result, grading, options.submission);
   result.notes = grading.submission.notes;
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
