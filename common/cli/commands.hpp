@@ -12,9 +12,9 @@
 namespace atelier {
 
 /// The commands that need what no release has: readable solutions, mistakes, tests. A release refuses them.
-inline constexpr const char* for_whole_project[] = {"compare", "release", "new-step",  "mistake",
-                                                    "mutate",  "tables",  "skeleton",  "reference",
-                                                    "audit",   "bench",   "stability", "test"};
+inline constexpr const char* for_whole_project[] = {"compare", "release",   "new-step",  "mistake", "mutate",
+                                                    "tables",  "skeleton",  "reference", "audit",   "vary",
+                                                    "bench",   "stability", "test"};
 
 struct ListOptions {
   bool json = false;
@@ -106,6 +106,7 @@ struct GradeOptions {
   std::string context;
   std::optional<std::uint64_t> shuffle;
   std::string sandbox = "best";  ///< or full, account, none (sandbox/tier.hpp)
+  std::optional<std::uint64_t> seed;  ///< of the drawn numbers, 0..max_seed; none: depends on what was handed in
   bool json = false;
 };
 int run_grade(const GradeOptions& options);
@@ -174,6 +175,15 @@ struct SkeletonOptions {
   bool check = false, force = false;
 };
 int run_skeleton(const SkeletonOptions& options);
+
+struct VaryOptions {
+  std::vector<std::string> steps;
+  std::uint64_t seed = 1;
+  int seeds = 5;
+  std::filesystem::path pictures;  ///< folder for the solution's pictures; empty: none
+  bool json = false;
+};
+int run_vary(const VaryOptions& options);
 
 struct BenchOptions {
   std::string step = "02";

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/student/skeleton_update.hpp"
+#include "grade/varied_cases.hpp"
 
 namespace atelier {
 namespace {
@@ -91,6 +92,7 @@ struct AllOptions {
   CourseCheckOptions course_check;
   ReleaseOptions release;
   AuditOptions audit;
+  VaryOptions vary;
   ReferenceOptions reference;
   SkeletonOptions skeleton;
   NewStepOptions new_step;
@@ -195,6 +197,11 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
                    "What confines a student's code: best (that works here), full, account or none")
       ->capture_default_str();
   command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
+  command
+      ->add_option("--seed", grade.seed,
+                   "Draw the numbers of cases that vary from this seed; default: one that "
+                   "depends on the files handed in, so that grading again repeats them")
+      ->check(CLI::Range(std::uint64_t(0), grade::max_seed));
   add_context(command, grade.context);
   add_json(command, grade.json);
 
@@ -318,6 +325,16 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
                    "Judge one in this many mistakes and variants; the patches of all must apply")
       ->check(CLI::Range(1, 1000));
   add_json(audit, options.audit.json);
+
+  CLI::App* vary = interface.add("vary", "Prove the same of the cases whose numbers are drawn for each submission",
+                                 options.vary, run_vary);
+  add_steps(vary, options.vary.steps);
+  vary->add_option("--seed", options.vary.seed, "The first seed")
+      ->check(CLI::Range(std::uint64_t(0), grade::max_seed - 1000))
+      ->capture_default_str();
+  vary->add_option("--seeds", options.vary.seeds, "Number of seeds")->check(CLI::Range(1, 1000))->capture_default_str();
+  vary->add_option("--pictures", options.vary.pictures, "Write the solution's pictures to this folder");
+  add_json(vary, options.vary.json);
 
   CLI::App* bench =
       interface.add("bench", "Measure the time from an edit to its verdict, and its parts", options.bench, run_bench);

@@ -273,16 +273,16 @@ class StepFinder {
   /// A file that is not in its step's folder: the only one below it, the one in the nearest folder above it, or the
   /// only one anywhere.
   std::string find_elsewhere(const Candidate& c, const std::string& file) {
-    std::vector<std::string> below;
+    std::vector<std::string> deeper;
     for (const auto& [folder, listed] : folders_)
       if (folder != c.folder && !c.folder.empty() && is_in(folder, c.folder) && listed.contains(file))
-        below.push_back(listed.at(file));
-    if (below.size() == 1) return below[0];
-    if (!below.empty() || !names_.tells_step(file)) return "";
+        deeper.push_back(listed.at(file));
+    if (deeper.size() == 1) return deeper[0];
+    if (!deeper.empty() || !names_.tells_step(file)) return "";
     for (std::string at = c.folder; !at.empty();) {
       at = parent_of(at);
-      const auto above = folders_.find(at);
-      if (above != folders_.end() && above->second.contains(file)) return above->second.at(file);
+      const auto around = folders_.find(at);
+      if (around != folders_.end() && around->second.contains(file)) return around->second.at(file);
     }
     return find_only(c, file);
   }

@@ -10,12 +10,14 @@
 #include "base/file.hpp"
 #include "base/near_names.hpp"
 #include "base/printable.hpp"
+#include "base/sha256.hpp"
 #include "grade/archive.hpp"
 #include "grade/listed_names.hpp"
 #include "grade/platform_names.hpp"
 #include "grade/source_files.hpp"
 #include "grade/step_places.hpp"
 #include "grade/text_conversion.hpp"
+#include "grade/varied_cases.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -313,6 +315,17 @@ Submission take_submission(const judge::StepFlags& flags, const std::vector<fs::
   Submission submission = taker.finish(skeletons);
   submission.name = sources.empty() ? "submission" : name_of(sources.back());
   return submission;
+}
+
+std::uint64_t seed_of(const Submission& submission) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(submission.folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const fs::path& file : files)
+    text += file.lexically_relative(submission.folder).generic_string() + '\0' + sha256(read_file(file)) + '\n';
+  return std::stoull(sha256(text).substr(0, 16), nullptr, 16) & max_seed;
 }
 
 }  // namespace atelier::grade

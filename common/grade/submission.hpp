@@ -2,6 +2,7 @@
 // read.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -46,5 +47,10 @@ Submission take_submission(const judge::StepFlags& flags, const std::filesystem:
 /// or is in doubt is in `needs_human`. Throws Error only if `folder` cannot be written.
 Submission take_submission(const judge::StepFlags& flags, const std::vector<std::filesystem::path>& sources,
                            const std::filesystem::path& folder, const std::filesystem::path& skeletons = {});
+
+/// A seed for the numbers that are drawn for a submission (grade/varied_cases.hpp), 0..max_seed: a hash of the names
+/// and bytes of the files in its private copy. So a regrade repeats it, wherever the submission lies, and who edits a
+/// file changes it.
+std::uint64_t seed_of(const Submission& submission);
 
 }  // namespace atelier::grade

@@ -38,12 +38,16 @@ void prepare_results_folder(const fs::path& out) {
 }
 
 /// Sets the commands that judge a case of this submission again; empty for an archive, which `check` cannot read.
-void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source) {
+/// With drawn numbers only `grade` does.
+void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source, const fs::path& handed_in) {
   const std::string folder = source.empty() ? "" : shell_word(source.string());
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
-      c.command =
-          folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
+      if (!c.other_numbers.empty())
+        c.command = fmt::format("./atelier grade {} --step {} --seed {}", shell_word(handed_in.string()), step.step,
+                                result.seed.value_or(0));
+      else if (!folder.empty())
+        c.command = fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
 }
 
 /// The requested steps, or all that were handed in.
@@ -82,13 +86,13 @@ int run_grade(const GradeOptions& options) {
 
   Progress progress(steps.size());
   judge::SubmissionResult result = grader.grade(
-      submission,
+      submission, options.seed.value_or(grade::seed_of(submission)),
       {.interrupted = [&] { return stop.requested(); },
        .building = [&](const std::string& step) { progress.building(step); },
        .judged = [&](const std::string& step, std::size_t k, std::size_t n) { progress.judged(step, k, n); },
        .finished = [&](const StepResult& step) { progress.finished(step); }});
   progress.clear();
-  set_rerun_commands(result, submission.source);
+  set_rerun_commands(result, submission.source, options.submission);
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;
