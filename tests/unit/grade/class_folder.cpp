@@ -362,7 +362,16 @@ TEST_CASE("the archive of a class can do no harm") {
     CHECK_FALSE(entry.is_symlink());
   CHECK(any_says(found.ignored, "../outside.txt leads out"));
   CHECK(any_says(found.submissions[1].needs_human, "01-move is a symbolic link"));
-  CHECK(any_says(found.submissions[2].needs_human, "has a name that this system cannot store"));
+  CHECK(any_says(found.submissions[2].notes, "has a name that this system cannot store"));
+}
+
+TEST_CASE("a student's folder cannot pass for several students") {
+  const Delivery delivery({{"ada/01-move/move.cpp", "m"},
+                           {"mallory/Bob_12_assignsubmission_file_/01-move/move.cpp", "m"},
+                           {"mallory/Carl_13_assignsubmission_file_/01-move/move.cpp", "m"},
+                           {"mallory/submission_metadata.yml", "submission_1:"}},
+                          true);
+  CHECK(ids_of(delivery.find()) == Ids{"ada", "mallory"});
 }
 
 TEST_CASE("thousands of submissions are found") {
