@@ -171,6 +171,8 @@ TEST_CASE("what one student has handed in is no class") {
       {{"ada/hw1/01-move/move.cpp", "m"}, {"ada/notes/report.pdf", "x"}},
       {{"steps/01-move/move.cpp", "m"}, {"skeletons/01-move/move.cpp", "m"}, {"build/01-move/move.cpp", "m"}},
       {{"hw/01-move/move.cpp", "m"}, {"ada_1_2_shot.png", "x"}},
+      {{"code/01-move/move.cpp", "m"}, {"homework/02-light-up/light.cpp", "c"}},
+      {{"hw7/01-move/move.cpp", "m"}, {"hw8/01-move/move.cpp", "c"}},
       {{"report.pdf", "x"}},
       {{"ada/notes.txt", "x"}, {"bob/notes.txt", "x"}},
   };

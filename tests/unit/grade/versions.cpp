@@ -117,5 +117,5 @@ TEST_CASE("archives in archives are bounded") {
   for (int i = 0; i < 50; ++i)
     write_archive(folder.path() / "many" / (std::to_string(100 + i) + ".zip"), {{"notes.txt", "x"}});
   const Submission many = take_versions(folder.path(), {"many"});
-  CHECK(many.needs_human == Sentences{"many: only its first 32 archives are read"});
+  CHECK(many.needs_human == Sentences{"many: only the first 32 archives are read"});
 }
