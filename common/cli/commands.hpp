@@ -99,14 +99,18 @@ struct SubmitOptions {
 int run_submit(const SubmitOptions& options);
 
 struct GradeOptions {
-  std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
-  std::filesystem::path out;         ///< empty: out/grade/NAME
-  std::vector<std::string> steps;    ///< grade these, present or not; empty: those that are present
-  int workers = 2;
+  std::vector<std::filesystem::path> submissions;  ///< a submission (a folder with NN-name/ folders, or an archive of
+                                                   ///< one), or a class: a folder of submissions, or several
+  std::filesystem::path out;                       ///< empty: out/grade/NAME
+  std::vector<std::string> steps;                  ///< grade these; empty: those that are present; of a class all
+  int workers = 0;  ///< programs that draw at the same time, or of a class processes; 0: two, or one for each core
   std::string context;
-  std::optional<std::uint64_t> shuffle;
-  std::string sandbox = "best";  ///< or full, account, none (sandbox/tier.hpp)
-  std::optional<std::uint64_t> seed;  ///< of the drawn numbers, 0..max_seed; none: depends on what was handed in
+  std::string sandbox = "best";                ///< or full, account, none (sandbox/tier.hpp)
+  std::optional<std::uint64_t> seed, shuffle;  ///< seed: of the drawn numbers, 0..max_seed; none: by what is handed in
+  std::filesystem::path cases;                 ///< folder of further cases, NN-name/cases.json; empty: none
+  std::filesystem::path course;                ///< course.toml; empty: none. Only for a class.
+  std::string engine = "local";                ///< or slurm. Only for a class.
+  std::string engine_arguments;                ///< for sbatch
   bool json = false;
 };
 int run_grade(const GradeOptions& options);

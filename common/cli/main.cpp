@@ -185,13 +185,22 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   GradeOptions& grade = options.grade;
   CLI::App* command = interface.add("grade", "Grade a submission", grade, run_grade);
   command
-      ->add_option("submission", grade.submission, "A folder that contains a folder for each step, or an archive of it")
+      ->add_option("submission", grade.submissions,
+                   "A folder that contains a folder for each step, or an archive of it; or a class: a folder of "
+                   "submissions as a course platform delivers it, or several submissions")
       ->required();
   command->add_option("--out", grade.out, "Folder of the results; default: out/grade/NAME");
   command->add_option("--step", grade.steps, "Grade this step, even if it is absent; can be repeated");
-  command->add_option("--workers", grade.workers, "Number of programs that draw at the same time")
-      ->check(CLI::Range(1, 64))
+  command
+      ->add_option("--workers", grade.workers,
+                   "Number of programs that draw at the same time, or of a class submissions; default: two, or one for "
+                   "each processor")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--course", grade.course, "Of a class: course.toml, with points, deadlines and columns");
+  command->add_option("--engine", grade.engine, "Of a class: where it is graded: local, or slurm (a job array)")
+      ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
+  command->add_option("--engine-arguments", grade.engine_arguments, "For sbatch: \"--partition=short --time=2:00:00\"");
   command
       ->add_option("--sandbox", grade.sandbox,
                    "What confines a student's code: best (that works here), full, account or none")

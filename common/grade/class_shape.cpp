@@ -110,8 +110,9 @@ std::optional<Platform> platform_of(const judge::StepFlags& flags, const ClassEn
   if (entries.contains(gradescope_metadata) ||
       any([](const std::string& name, const ClassEntry& e) { return e.is_folder && gradescope_name(name); }))
     return Platform::gradescope;
+  const bool steps_in_folder = any([](const std::string&, const ClassEntry& e) { return e.is_folder && e.has_steps; });
   const bool steps = holds_steps(flags, entries);
-  if (is_canvas(entries, steps)) return Platform::canvas;
+  if (is_canvas(entries, steps || steps_in_folder)) return Platform::canvas;
   if (steps || are_steps(flags, entries)) return std::nullopt;
   const Persons persons = persons_in(flags, entries);
   if (persons.names.size() < 2 || !persons.any_with_steps) return std::nullopt;
@@ -145,9 +146,10 @@ ClassEntries entries_in(const judge::StepFlags& flags, const std::vector<std::st
   for (const std::string& path : paths) {
     if (!path.starts_with(front) || path.size() == front.size()) continue;
     const std::string below = path.substr(front.size()), name = below.substr(0, below.find('/'));
-    if (name.empty() || is_litter(name)) continue;
+    const bool is_folder = name.size() < below.size();
+    if (name.empty() || (is_folder ? is_folder_of_tools(name) : is_litter(name))) continue;
     ClassEntry& entry = entries[name];
-    entry.is_folder |= name.size() < below.size();
+    entry.is_folder |= is_folder;
     look_at(flags, names, below, entry);
   }
   return entries;

@@ -41,9 +41,9 @@ class SourceReader {
       level = std::move(next);
     }
     if (!level.empty())
-      found_.unread.push_back(fmt::format("only its first {} levels are read", limits_.folder_levels));
+      found_.unread.push_back(fmt::format("only the first {} levels are read", limits_.folder_levels));
     if (entries_ > limits_.entries)
-      found_.unread.push_back(fmt::format("only its first {} entries are read", limits_.entries));
+      found_.unread.push_back(fmt::format("only the first {} entries are read", limits_.entries));
     for (const auto& [path, file] : archives_)
       if (broken_ < limits_.broken_archives) try_archive(path, file.string(), [&] { read_members(file, path, 1); });
     return std::move(found_);
@@ -102,7 +102,7 @@ class SourceReader {
       return false;
     }
     if (++archive_count_ == limits_.archives + 1)
-      found_.unread.push_back(fmt::format("only its first {} archives are read", limits_.archives));
+      found_.unread.push_back(fmt::format("only the first {} archives are read", limits_.archives));
     return archive_count_ <= limits_.archives && broken_ < limits_.broken_archives;
   }
 

@@ -178,7 +178,7 @@ class StepFinder {
       std::ranges::sort(sorted);
       places_.two_folders = fmt::format("{} and {}", shown_folder(sorted[0]), shown_folder(sorted[1]));
       places_.needs_human.push_back(
-          fmt::format("has steps in {} folders, such as {}; of a step in several, the one in {} "
+          fmt::format("steps are in {} folders, such as {}; of a step in several, the one in {} "
                       "counts",
                       holders.size(), places_.two_folders, shown_folder(holders.back())));
     }
@@ -210,7 +210,7 @@ class StepFinder {
       return place(a) != place(b) ? place(a) < place(b) : is_older(b.folder, a.folder);
     });
     if (found.size() > 1 && place(found[0]) == place(found[1]) && overlap(found[0], found[1]))
-      places_.needs_human.push_back(fmt::format("has {} in {} and in {}; the one in {} counts", step,
+      places_.needs_human.push_back(fmt::format("{} is in {} and in {}; the one in {} counts", step,
                                                 shown_folder(found[0].folder), shown_folder(found[1].folder),
                                                 shown_folder(found[0].folder)));
     take(found[0]);

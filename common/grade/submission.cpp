@@ -12,6 +12,7 @@
 #include "base/printable.hpp"
 #include "base/sha256.hpp"
 #include "grade/archive.hpp"
+#include "grade/bounded_list.hpp"
 #include "grade/listed_names.hpp"
 #include "grade/platform_names.hpp"
 #include "grade/source_files.hpp"
@@ -23,16 +24,6 @@ namespace atelier::grade {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Keeps the first entries, each once; a last one says how many more there were.
-void keep_first(std::vector<std::string>& entries) {
-  std::set<std::string> seen;
-  std::erase_if(entries, [&](const std::string& entry) { return !seen.insert(entry).second; });
-  if (entries.size() <= max_notes) return;
-  const std::size_t more = entries.size() - (max_notes - 1);
-  entries.resize(max_notes - 1);
-  entries.push_back(fmt::format("{} more", more));
-}
 
 std::string shown_name(const std::string& name) {
   return shorten(printable(name), 100);
@@ -100,7 +91,8 @@ class SubmissionTaker {
     for (const auto& [step, files] : taken_.unusable)
       for (const auto& [file, why] : files) need_human(fmt::format("{}/{} {}", step, file, why));
     for (const auto& [step, why] : taken_.skipped) need_human(step + " " + why);
-    keep_first(taken_.notes), keep_first(taken_.needs_human), keep_first(taken_.taken), keep_first(taken_.ignored);
+    for (std::vector<std::string>* list : {&taken_.notes, &taken_.needs_human, &taken_.taken, &taken_.ignored})
+      shorten_list(*list, max_notes);
     return std::move(taken_);
   }
 

@@ -39,7 +39,7 @@ std::string header_html(const SubmissionResult& result) {
 
 std::string notes_html(const std::vector<std::string>& notes) {
   if (notes.empty()) return {};
-  std::string html = "<p class=\"soft\">Skipped in this submission:</p>\n<ul>\n";
+  std::string html = "<p class=\"soft\">Notes on this submission:</p>\n<ul>\n";
   for (const std::string& note : notes) html += "<li>" + escape_markup(note) + "</li>\n";
   return html + "</ul>\n";
 }

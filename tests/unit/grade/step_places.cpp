@@ -184,7 +184,7 @@ TEST_CASE("several versions in one folder: the newer by its name counts, and a p
   const Submission taken =
       take_submission(three_steps, std::vector<fs::path>{folder.path() / "ada"}, folder.path() / "copy");
   CHECK(copied(taken) == Copied{{"01-move/move.cpp", "10"}, {"03-cast-shadows/shadows.cpp", "0"}});
-  CHECK(any_mentions(taken.needs_human, "steps in 3 folders"));
+  CHECK(any_mentions(taken.needs_human, "steps are in 3 folders"));
   CHECK(any_mentions(taken.needs_human, "the one in 'v10' counts"));
 }
 
