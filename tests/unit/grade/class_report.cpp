@@ -257,8 +257,8 @@ TEST_CASE("if a file of a class cannot be written, none is replaced") {
   CHECK(read_file(folder.path() / "gradebook.csv") == before);
 }
 
-TEST_CASE("a class written for people to look at", "[.sample]") {
-  const fs::path out = "/tmp/h2-class";
+TEST_CASE("a class for people to look at, in the folder atelier-class of temporary files", "[.sample]") {
+  const fs::path out = fs::temp_directory_path() / "atelier-class";
   write_mistake_pictures(out / "students/student-001", mistaken_result(300));
   write_class_results(out, {}, test::made_up_summary(), test::made_up_class(60));
 }
