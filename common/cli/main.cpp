@@ -396,7 +396,8 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
     if (!command->get_group().empty()) known.push_back(command->get_name());
   const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
   if (named.empty()) throw Error(fmt::format("{}a command is missing{}", of, suggestion(named, known)));
-  if (std::find(known.begin(), known.end(), named) == known.end())
+  const auto is_named = [&](const CLI::App* command) { return command->get_name() == named; };
+  if (std::ranges::none_of(app.get_subcommands({}), is_named))  // hidden ones too
     throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }
 
