@@ -19,6 +19,7 @@
 #include "grade/mistake_pictures.hpp"
 #include "grade/record.hpp"
 #include "grade/submission.hpp"
+#include "judge/report/kept_steps.hpp"
 
 namespace atelier {
 namespace {
@@ -164,14 +165,19 @@ class ClassWorker {
 
   /// Keeps an earlier record of the same files and criteria.
   bool reuse(const HandedIn& handed_in, const std::string& key) const {
-    const fs::path file = places_.record(handed_in.student.id);
-    try {
-      if (!fs::exists(file) || grade::read_record(file).key != key) return false;
-    } catch (const Error&) {
-      return false;  // damaged, or of an older version
-    }
-    fs::last_write_time(file, fs::file_time_type::clock::now());
+    const std::optional<SubmissionRecord> earlier = earlier_record(handed_in.student.id);
+    if (!earlier || earlier->key != key) return false;
+    fs::last_write_time(places_.record(handed_in.student.id), fs::file_time_type::clock::now());
     return true;
+  }
+
+  /// Nothing also where it is damaged, or of another version.
+  std::optional<SubmissionRecord> earlier_record(const std::string& id) const {
+    try {
+      return grade::read_record(places_.record(id));
+    } catch (const Error&) {
+      return std::nullopt;
+    }
   }
 
   Graded grade_version(const HandedIn& handed_in, const Submission& submission) {
@@ -191,6 +197,7 @@ class ClassWorker {
     append(record.notes, submission.notes);
     record.seed = seed_for(handed_in, submission);
     graded.result = grader_.grade(submission, record.seed, {.interrupted = [&] { return stop_.requested(); }});
+    graded.result.may_grow = true;
     graded.result.submission = handed_in.student.name.empty() ? handed_in.student.id : handed_in.student.name;
     for (const judge::StepResult& step : graded.result.steps) {
       const StepRecord::State state = state_of(submission, step);
@@ -208,12 +215,26 @@ class ClassWorker {
     return std::stoull(sha256(text).substr(0, 16), nullptr, 16) & grade::max_seed;
   }
 
+  /// Where only some steps are graded, the others stay as they are in the folder.
+  void keep_other_steps(Graded& graded, const fs::path& folder) const {
+    for (judge::StepResult& step : judge::kept_steps(folder, graded.result.steps))
+      graded.result.steps.push_back(std::move(step));
+    std::ranges::stable_sort(graded.result.steps, {}, &judge::StepResult::step);
+    grade::sum_up(graded.result);
+    SubmissionRecord earlier = earlier_record(graded.record.student.id).value_or(SubmissionRecord{});
+    for (StepRecord& step : earlier.steps)
+      if (std::ranges::none_of(graded.record.steps, [&](const StepRecord& other) { return other.step == step.step; }))
+        graded.record.steps.push_back(std::move(step));
+    std::ranges::stable_sort(graded.record.steps, {}, &StepRecord::step);
+  }
+
   void write(Graded& graded, const Stopwatch& all) {
     const fs::path folder = places_.student(graded.record.student.id);
     const Stopwatch reporting;
     judge::SubmissionResult& result = graded.result;
     grade::write_mistake_pictures(folder, result);
     grade::limit_feedback(result, rules_.feedback);
+    keep_other_steps(graded, folder);
     write_result_files(result, folder);
     double known = graded.record.seconds["report"] = reporting.seconds();
     for (const auto& [kind, seconds] : graded.record.seconds)

@@ -63,14 +63,14 @@ void refuse_options_of_classes(const GradeOptions& options) {
   const auto refuse = [](const char* option) {
     throw Error(fmt::format("{}: is for a class, and this is one submission", option));
   };
-  if (!options.course.empty()) refuse("--course");
   if (options.engine != "local" || !options.engine_arguments.empty()) refuse("--engine");
 }
 
 }  // namespace
 
 int run_grade(const GradeOptions& options) {
-  if (grade::is_class(judge::read_step_flags(project_folders().step_flags()), options.submissions))
+  if (!options.course.empty() ||
+      grade::is_class(judge::read_step_flags(project_folders().step_flags()), options.submissions))
     return run_grade_class(options);
   refuse_options_of_classes(options);
   const StopOnSignal stop;

@@ -125,6 +125,16 @@ std::vector<grade::SubmissionRecord> read_records(const ClassPlaces& places, con
   return records;
 }
 
+/// Those with a new report, or none; the others were kept.
+std::size_t graded_now(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records) {
+  const fs::file_time_type planned = fs::last_write_time(places.plan());
+  return std::size_t(std::ranges::count_if(records, [&](const grade::SubmissionRecord& record) {
+    std::error_code none;
+    const fs::file_time_type reported = fs::last_write_time(places.student(record.student.id) / "report.html", none);
+    return none || reported >= planned;
+  }));
+}
+
 void print_summary(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records, double seconds,
                    std::size_t graded) {
   std::size_t need_human = 0;
@@ -173,7 +183,7 @@ int run_grade_class(const GradeOptions& options) {
   const std::vector<grade::SubmissionRecord> records = read_records(places, plan);
   const double seconds = watch.seconds();
   grade::write_class_results(places.out, rules, summary_of(plan, folders, steps, seconds), records);
-  print_summary(places, records, seconds, records.size());
+  print_summary(places, records, seconds, graded_now(places, records));
   return exit_ok;
 }
 

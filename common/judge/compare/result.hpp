@@ -89,6 +89,11 @@ struct Cause {
 
 std::string to_string(Cause::Kind kind);  ///< "no_answer" ... as in results.json
 
+/// What an earlier report said of a step that was not graded again (report/kept_steps.hpp).
+struct KeptStep {
+  std::string html, json;
+};
+
 struct StepResult {
   std::string step, title;
   double score = 0, max_score = 0;
@@ -98,6 +103,7 @@ struct StepResult {
   std::string references = "stored";  ///< or "live": drawn by the solution with the driver that drew the answers
   std::map<std::string, std::string> implementations;  ///< step -> "yours", "solution": whose code was used
   std::map<std::string, double> seconds;               ///< of work by kind: "compile", "start", "render", "compare"
+  std::optional<KeptStep> kept;                        ///< then only names, status and points of the cases are here
   std::string caveat;  ///< what to read before the points, if they do not judge this step alone; otherwise empty
 };
 
@@ -106,6 +112,7 @@ using Environment = std::map<std::string, std::string>;  ///< "driver", "context
 
 struct SubmissionResult {
   std::string submission;
+  bool may_grow = false;  ///< other steps may be graded into the same report: its cases are named with their step
   double score = 0, max_score = 0;
   std::vector<StepResult> steps;
   Environment environment;

@@ -10,6 +10,7 @@
 #include "base/file.hpp"
 #include "judge/report/html_page.hpp"
 #include "judge/report/html_step.hpp"
+#include "judge/report/kept_steps.hpp"
 #include "judge/report/report_assets.hpp"
 #include "judge/report/report_words.hpp"
 
@@ -57,6 +58,10 @@ std::string steps_html(const std::vector<StepResult>& steps) {
 
 constexpr std::string_view comment_begin = "<aside id=\"comment\">", comment_end = "</aside>";
 
+std::string section_html(const StepResult& step, StepsInReport steps) {
+  return marked_section(step.step, step.kept ? step.kept->html : step_html(step, steps));
+}
+
 }  // namespace
 
 std::string html_report(const SubmissionResult& result) {
@@ -64,7 +69,7 @@ std::string html_report(const SubmissionResult& result) {
                      notes_html(result.notes) + steps_html(result.steps);
   for (const bool passed : {false, true})
     for (const StepResult& step : result.steps)
-      if (all_passed(step) == passed) body += step_html(step, steps_in(result));
+      if (all_passed(step) == passed) body += section_html(step, steps_in(result));
   body += "</main>\n" + environment_footer(result.environment);
   return html_page({.title = result.submission + ": " + score_text(result.score, result.max_score),
                     .style = std::string(report_css),

@@ -74,6 +74,7 @@ OrderedJson causes_json(const StepResult& step) {
 }
 
 OrderedJson step_json(const StepResult& step) {
+  if (step.kept) return OrderedJson::parse(step.kept->json);
   OrderedJson cases = OrderedJson::array();
   for (const CaseResult& result : step.cases) cases.push_back(case_json(result));
   return {{"step", step.step},

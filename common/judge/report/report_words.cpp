@@ -221,7 +221,7 @@ std::string case_anchor(const StepResult& step, const CaseResult& result, StepsI
 }
 
 StepsInReport steps_in(const SubmissionResult& result) {
-  return result.steps.size() > 1 ? StepsInReport::several : StepsInReport::one;
+  return result.steps.size() > 1 || result.may_grow ? StepsInReport::several : StepsInReport::one;
 }
 
 std::string place_to_begin(const SubmissionResult& result) {
