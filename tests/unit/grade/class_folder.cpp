@@ -389,9 +389,9 @@ TEST_CASE("an archive that inflates without end is no class") {
                  {"bomb.tar.gz: inflates to more than 268435456 bytes"}));
 }
 
-TEST_CASE("thousands of submissions are found") {
+TEST_CASE("more than a thousand submissions are found") {
   const TemporaryFolder folder;
-  constexpr int count = 3000;
+  constexpr int count = 1500;
   for (int i = 0; i < count; ++i)
     write_file(
         folder.path() / ("class/S" + std::to_string(i) + "_" + std::to_string(i) + "_assignsubmission_file_/move.cpp"),

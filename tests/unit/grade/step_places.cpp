@@ -1,6 +1,8 @@
 // Steps in unexpected places: what honest students hand in.
 #include "grade/step_places.hpp"
 
+#include <algorithm>
+
 #include "base/file.hpp"
 #include "catch.hpp"
 #include "grade/submission.hpp"
