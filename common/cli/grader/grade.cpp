@@ -114,6 +114,7 @@ StepResult grade_step(const Grading& grading, const GradeOptions& options, const
   if (settings.solution) {
     judge::RunSettings solution = settings;
     solution.implementations = *settings.solution;
+    solution.workers = 1;  // starting another program takes longer than the few cases
     solution.shader_cache = grading.work_folder.path() / "shaders of the solution";
     varied = judge.vary(grading.seed, solution);
   }
@@ -163,7 +164,6 @@ int run_grade(const GradeOptions& options) {
   judge::SubmissionResult result;
   result.submission = grading.submission.name;
   result.environment = environment;
-  result.seed = grading.seed;
   Progress progress(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
     progress.finished(result.steps.emplace_back(grade_step(grading, options, steps[i], judges[i], stop, progress)));
@@ -171,6 +171,11 @@ int run_grade(const GradeOptions& options) {
   grade::sum_up(result);
   set_rerun_commands(result, grading, options.submission);
   result.notes = grading.submission.notes;
+  for (const CourseStep& step : steps)
+    if (is_there(grading.folders, step.name, Owner::solution))
+      result.seed = grading.seed;
+    else
+      result.notes.push_back(step.name + " is judged with the stored numbers alone: its solution is not here");
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;
