@@ -187,7 +187,7 @@ Json with_defaults(const Json& defaults, const Json& object, const std::string& 
 }
 
 std::vector<Json> case_objects(const Json& document, const std::string& where) {
-  strict_json::refuse_unknown(document, {"schema", "step", "defaults", "cases"}, where);
+  strict_json::refuse_unknown(document, {"schema", "step", "defaults", "not_varied", "cases"}, where);
   if (const Json* schema = strict_json::optional(document, "schema")) {
     strict_json::integer(*schema, where + ": schema", 1, 1);
   }

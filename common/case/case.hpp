@@ -69,7 +69,7 @@ nlohmann::json to_json(const Case& c);
 /// does not inherit members that only pictures have, nor a picture those of probes.
 nlohmann::json with_defaults(const nlohmann::json& defaults, const nlohmann::json& object, const std::string& where);
 
-/// The case objects of a document {"schema": 1, "step", "title", "defaults": {...}, "cases": [...]}, each merged with
+/// The case objects of a document {"schema": 1, "step", "defaults": {...}, "cases": [...]}, each merged with
 /// `defaults`; at least one. Throws Error naming the member.
 std::vector<nlohmann::json> case_objects(const nlohmann::json& document, const std::string& where);
 

@@ -72,7 +72,7 @@ CaseResult both(CaseResult stored, CaseResult varied, const std::string& numbers
   varied.name = stored.name;
   varied.command = stored.command;
   varied.other_numbers = numbers;
-  varied.reason = fmt::format("Right with the known numbers, but with others ({}): {}", numbers, varied.reason);
+  varied.reason = fmt::format("Right with the stored numbers, but with others ({}): {}", numbers, varied.reason);
   return varied;
 }
 

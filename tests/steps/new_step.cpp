@@ -59,6 +59,7 @@ TEST_CASE("a new step builds, is judged, and passes its tests", "[new-step]") {
   run({"./atelier", "skeleton", number});
   run({"./atelier", "reference", number});
   run({"./atelier", "audit", number});
+  run({"./atelier", "vary", number});
   run({"./atelier", "measure", number, "--handout"});
   run({"handouts/pictures/make.sh", number});
   run({"docs/pictures/make.sh", number});

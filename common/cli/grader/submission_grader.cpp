@@ -34,6 +34,7 @@ void require_earlier_solutions(const ProjectFolders& folders, const std::vector<
 judge::RunSettings as_solution(judge::RunSettings settings) {
   settings.implementations = *settings.solution;
   settings.sandbox = nullptr;
+  settings.workers = 1;  // starting another program takes longer than the few cases
   settings.shader_cache = settings.shader_cache.parent_path() / "shaders of the solution";
   return settings;
 }
@@ -102,10 +103,13 @@ judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submiss
                                                 const GraderEvents& events) const {
   judge::SubmissionResult result;
   result.submission = submission.name;
-  result.seed = seed;
   result.environment = environment_;
   result.notes = submission.notes;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (is_there(folders_, steps_[i].name, Owner::solution))
+      result.seed = seed;
+    else
+      result.notes.push_back(steps_[i].name + " is judged with the stored numbers alone: its solution is not here");
     result.steps.push_back(grade_step(submission, steps_[i], judges_[i], seed, events));
     if (events.finished) events.finished(result.steps.back());
   }

@@ -216,6 +216,20 @@ std::string read_step(const Json& value, const std::string& where) {
   return step;
 }
 
+std::map<std::string, std::string> read_not_varied(const Json& document, const CaseFile& file,
+                                                   const std::string& where) {
+  std::map<std::string, std::string> reasons;
+  const Json* object = strict_json::optional(document, "not_varied");
+  if (!object) return reasons;
+  if (!object->is_object()) strict_json::refuse(*object, where, "an object of functions, each with the reason");
+  const std::set<std::string> functions = functions_of(file.cases);
+  for (const auto& [name, reason] : object->items()) {
+    if (!functions.contains(name)) throw Error(fmt::format("{}: no case tests '{}'", where, name));
+    reasons[name] = strict_json::text(reason, where + ": " + name);
+  }
+  return reasons;
+}
+
 }  // namespace
 
 std::set<std::string> functions_of(const std::vector<JudgedCase>& cases) {
@@ -245,6 +259,7 @@ CaseFile read_case_file(const fs::path& path) {
     if (c.vary && names.contains(name_of_varied(c.ask.name)))
       throw Error(fmt::format("{}: case '{}': vary: '{}' is another case's name", where, c.ask.name,
                               name_of_varied(c.ask.name)));
+  file.not_varied = read_not_varied(document, file, where + ": not_varied");
   std::vector<std::string> budget_cases;
   for (const JudgedCase& c : file.cases)
     if (c.choice) budget_cases.push_back(c.ask.name);

@@ -5,6 +5,7 @@
 //
 //   {"schema": 1, "step": "02-blinn-phong",
 //    "defaults": {any member of a case but its name},       none; settings and camera are merged member by member
+//    "not_varied": {"diffused_fast": "reason", ...},        none; the functions that no case with "vary" tests
 //    "cases": [CASE, ...]}
 //
 //   Of every CASE
@@ -55,6 +56,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -131,7 +133,8 @@ struct JudgedCase {
 /// All cases of a step.
 struct CaseFile {
   std::filesystem::path path;
-  std::string step;  ///< "01-transforms"
+  std::string step;                               ///< "01-transforms"
+  std::map<std::string, std::string> not_varied;  ///< functions that no case that varies tests, each with the reason
   std::vector<JudgedCase> cases;
 };
 

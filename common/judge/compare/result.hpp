@@ -116,7 +116,7 @@ struct SubmissionResult {
   double score = 0, max_score = 0;
   std::vector<StepResult> steps;
   Environment environment;
-  std::optional<std::uint64_t> seed;  ///< of the numbers that were drawn for it; none: nothing was drawn
+  std::optional<std::uint64_t> seed;  ///< of the numbers that were drawn for it; none: at home, or without a solution
   std::vector<std::string> notes;     ///< what was skipped in the submission, with the reasons
 };
 

@@ -17,9 +17,10 @@ namespace {
 
 using strict_json::Json;
 
-constexpr int max_count = 64;              // inputs
-constexpr std::size_t max_name = 64;       // bytes of a case's name
-constexpr double steps_of_range = 1000.0;  // at least, unless the numbers are whole
+constexpr int max_count = 64;         // inputs
+constexpr std::size_t max_name = 64;  // bytes of a case's name
+// At least, unless the numbers are whole: many, since where two drawn numbers tie, right answers may differ.
+constexpr double steps_of_range = 1 << 18;
 const std::string allowed_range = "[low, high], two numbers or two lists of the same length, low not above high";
 
 // --- Reading ---
@@ -47,10 +48,11 @@ NumberRange read_range(const Json& value, const std::string& where) {
   return range;
 }
 
-/// A range of one component fits everything.
+/// A range for numbers that are as many, or several times as many.
 void require_length(const NumberRange& range, std::size_t length, const Json& value, const std::string& where) {
-  if (range.low.size() != 1 && range.low.size() != length)
-    strict_json::refuse(value, where, fmt::format("a range of 1 or {} numbers", length));
+  if (length % range.low.size() != 0)
+    strict_json::refuse(value, where,
+                        fmt::format("[low, high], two numbers or two lists whose length divides {}", length));
 }
 
 std::map<std::string, NumberRange> read_camera(const Json& object, const std::string& where) {
@@ -155,7 +157,7 @@ class Lots {
   Numbers from(const NumberRange& range, std::size_t length) {
     Numbers drawn;
     for (std::size_t i = 0; i < length; ++i) {
-      const std::size_t k = range.low.size() == 1 ? 0 : i;
+      const std::size_t k = i % range.low.size();
       drawn.push_back(between(range.low[k], range.high[k], range.whole));
     }
     return drawn;
@@ -167,6 +169,11 @@ class Lots {
 
 std::string in_words(const Numbers& numbers) {
   return numbers.size() == 1 ? fmt::format("{:.6g}", numbers[0]) : fmt::format("({:.6g})", fmt::join(numbers, ", "));
+}
+
+std::string in_words(const SettingValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number ? in_words(Numbers{*number}) : setting_text(value);
 }
 
 void set_camera(CaseCamera& camera, const std::string& member, const Numbers& drawn) {
@@ -239,7 +246,7 @@ Varied vary(const Case& ask, const Variation& variation, std::uint64_t seed) {
   }
   for (const auto& [name, setting] : variation.settings) {
     varied.ask.settings[name] = drawn_setting(setting, lots);
-    words.push_back(fmt::format("{} = {}", name, setting_text(varied.ask.settings[name])));
+    words.push_back(fmt::format("{} = {}", name, in_words(varied.ask.settings[name])));
   }
   if (!variation.sizes.empty()) {
     varied.ask.size = variation.sizes[lots.below(variation.sizes.size())];

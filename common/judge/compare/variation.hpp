@@ -11,7 +11,7 @@
 //   "vary": {"count": 4, "like": [0, 2], "inputs": {"normal": [-1, 1], "exponent": [2.0, 40.0]}, "unit": ["normal"]}
 //
 // A range is [low, high], inclusive. Two whole numbers stand for the whole numbers between them. Otherwise multiples of
-// a power of two are drawn, at most a thousandth of the range apart: a float holds each of them exactly.
+// a power of two are drawn, 2^18 or more of them: a float holds each exactly, unless the range is far from 0.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@
 
 namespace atelier::judge {
 
-/// One number, or several, between `low` and `high`, component by component. Of one component: each number of what it
-/// is drawn for is drawn from it.
+/// One number, or several, between `low` and `high`, component by component. For what has more components they hold in
+/// turn: one for each of its numbers, three for each vector of a list.
 struct NumberRange {
   Numbers low, high;  ///< of equal length, low <= high
   bool whole = false;

@@ -87,7 +87,7 @@ TEST_CASE("a probe's inputs are flattened, and survive with non-finite numbers a
 TEST_CASE("a program never receives the judge's members") {
   const char* const of_the_judge[] = {"title",   "asked",     "hint",   "tier",       "points", "student",
                                       "rejects", "functions", "needs",  "profile",    "unit",   "delta",
-                                      "budget",  "exposure",  "reason", "references", "hidden"};
+                                      "budget",  "exposure",  "reason", "references", "hidden", "vary"};
   json picture = json::parse(full_picture);
   for (const char* member : of_the_judge) picture[member] = "secret";
   const json probe = {

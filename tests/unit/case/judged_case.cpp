@@ -222,6 +222,64 @@ TEST_CASE("broken judged cases are refused with file, case, member and what is a
   }
 }
 
+TEST_CASE("broken ranges of numbers that vary are refused with file, case, member and what is allowed") {
+  const auto of_picture = [](const json& vary) { return with(picture(), {{"vary", vary}}); };
+  const auto of_probe = [](const json& vary) { return with(probe(), {{"vary", vary}}); };
+  const auto of_x = [&](const json& range) { return of_probe({{"count", 2}, {"inputs", {{"x", range}}}}); };
+  const json size = {{"size", {{64, 48}}}};
+  struct Row {
+    json one_case;
+    const char* words;
+  };
+  const Row rows[] = {
+      {of_picture(3), "case 'sphere': vary: 3 is not allowed"},
+      {of_picture(json::object()), "vary: there must be a range for something"},
+      {of_picture({{"camra", 1}}), "vary: unknown member 'camra'; did you mean 'camera'?"},
+      {of_picture({{"count", 2}}), "vary: unknown member 'count'"},
+      {of_picture({{"camera", {{"eye", {{0, 1}, {1, 2}}}}}}), "vary: camera: eye: [[0,1],[1,2]] is not allowed"},
+      {of_picture({{"camera", {{"eye", {1, 2}}}}}), "it takes [[x, y, z], [x, y, z]]"},
+      {of_picture({{"camera", {{"roll", {1, 2}}}}}), "vary: camera: unknown member 'roll'"},
+      {of_picture({{"camera", {{"fov_y_degrees", {0, 40}}}}}), "it takes degrees above 0 and up to 179"},
+      {of_picture({{"camera", {{"near", {2, 1}}}}}), "vary: camera: near: [2,1] is not allowed; it takes [low, high]"},
+      {of_picture({{"size", json::array()}}), "vary: size: [] is not allowed; it takes a list of sizes"},
+      {of_picture({{"size", {64, 48}}}), "vary: size: 64 is not allowed; it takes [width, height]"},
+      {of_picture({{"size", {{64, 5000}}}}), "vary: size: 5000 is not allowed"},
+      {of_picture({{"settings", {{"bias", {1}}}}}), "vary: settings: bias: [1] is not allowed"},
+      {of_picture({{"settings", {{"bias", {3, 3}}}}}), "it takes a range with something to draw, low below high"},
+      {of_picture({{"settings", {{"bias", {"slope", nullptr}}}}}), "vary: settings: bias: null is not allowed"},
+      {of_picture({{"settings", {{"Bias", {1, 2}}}}}), "vary: settings: \"Bias\" is not allowed"},
+      {with(of_picture(size), {{"mask", {{0, 0, 8, 8}}}, {"reason", "Noise."}}),
+       "vary: camera and size are not allowed with 'mask' or 'regions'"},
+      {with(of_picture(size), {{"points", 0}, {"needs", {"clip_control"}}}), "'vary' is not allowed with 'needs'"},
+      {with(of_picture(size), {{"name", std::string(58, 'a')}}),
+       "vary: the case's name must have at most 57 characters"},
+      {of_probe({{"inputs", {{"x", {1, 2}}}}}), "case 'look-at': vary: member 'count' is missing"},
+      {of_probe({{"count", 2}}), "vary: member 'inputs' is missing"},
+      {of_probe({{"count", 0}, {"inputs", {{"x", {1, 2}}}}}), "vary: count: 0 is not allowed; it takes a whole"},
+      {of_probe({{"count", 2}, {"inputs", json::object()}}), "vary: inputs: {} is not allowed"},
+      {of_probe({{"count", 2}, {"inputs", {{"y", {1, 2}}}}}), "vary: inputs: y: input 0 has no such member"},
+      {of_probe({{"count", 2}, {"like", {2}}, {"inputs", {{"x", {1, 2}}}}}), "vary: like: 2 is not allowed"},
+      {of_probe({{"count", 2}, {"unit", {"y"}}, {"inputs", {{"x", {1, 2}}}}}), "vary: unit: 'y' is not drawn"},
+      {of_x({2, 1}), "vary: inputs: x: [2,1] is not allowed; it takes [low, high]"},
+      {of_x({1, 2, 3}), "it takes [low, high]"},
+      {of_x({{1, 2}, {3}}), "it takes [low, high]"},
+      {of_x({{1, 2}, {3, 4}}), "two lists whose length divides 1"},
+      {of_x({1, "inf"}), "vary: inputs: x: [1,\"inf\"] is not allowed"},
+      {of_picture({{"scene", 1}}), "vary: unknown member 'scene'"},
+  };
+  for (const Row& row : rows) {
+    const std::string message = error_of([&] { read_one(row.one_case); });
+    INFO(row.one_case.dump() << "\n-> " << message);
+    CHECK(test::mentions(message, {"cases.json: case '", row.words}));
+  }
+}
+
+TEST_CASE("a drawn case takes no other case's name") {
+  json whole = document(with(picture(), {{"vary", {{"size", {{64, 48}}}}}}));
+  whole["cases"].push_back(with(picture(), {{"name", "sphere-varied"}}));
+  CHECK(test::mentions(error_of([&] { read(whole); }), {"case 'sphere'", "'sphere-varied' is another case's name"}));
+}
+
 TEST_CASE("broken case files are refused") {
   struct Row {
     json changes;

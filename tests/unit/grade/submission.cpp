@@ -2,6 +2,7 @@
 
 #include "base/file.hpp"
 #include "catch.hpp"
+#include "grade/varied_cases.hpp"
 #include "made_archive.hpp"
 
 using namespace atelier;
@@ -127,6 +128,21 @@ TEST_CASE("missing files of a step in an archive are reported with the reason") 
   CHECK(taken.present == std::set<std::string>{"02-light"});
   CHECK(judge::in_words(taken.unusable.at("02-light")) ==
         "light.cpp is a symbolic link, which is not followed; light.glsl is missing");
+}
+
+TEST_CASE("the seed of a submission depends on its files alone") {
+  const TemporaryFolder folder;
+  int copies = 0;
+  const auto seed = [&](const char* place, const char* file, std::string_view text) {
+    write_file(folder.path() / place / "01-move" / file, text);
+    return seed_of(take_submission(flags, folder.path() / place, folder.path() / std::to_string(copies++)));
+  };
+  const std::uint64_t ada = seed("ada", "move.cpp", "int a;");
+  CHECK(ada == 3671475666805252);  // on every machine
+  CHECK(ada <= max_seed);
+  CHECK(seed("elsewhere/bob", "move.cpp", "int a;") == ada);
+  CHECK(seed("ada", "notes.txt", "not handed in") == ada);
+  CHECK(seed("ada", "move.cpp", "int b;") != ada);
 }
 
 TEST_CASE("a submission without a step is refused") {
