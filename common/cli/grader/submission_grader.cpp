@@ -30,12 +30,11 @@ void require_earlier_solutions(const ProjectFolders& folders, const std::vector<
                         step.name, earlier));
 }
 
-/// The solution's run beside a student's: trusted, with a cache of its own.
+/// The solution's run beside a student's: trusted.
 judge::RunSettings as_solution(judge::RunSettings settings) {
   settings.implementations = *settings.solution;
   settings.sandbox = nullptr;
   settings.workers = 1;  // starting another program takes longer than the few cases
-  settings.shader_cache = settings.shader_cache.parent_path() / "shaders of the solution";
   return settings;
 }
 
@@ -49,6 +48,7 @@ SubmissionGrader::SubmissionGrader(const ProjectFolders& folders, const std::vec
       flags_(judge::read_step_flags(folders.step_flags())),
       settings_(settings),
       environment_(grade::describe_environment(settings.context, folders.step_flags(), folders.root)),
+      solution_shaders_("atelier-shaders"),
       published_("atelier-published") {
   if (const std::string& driver = environment_.at("driver"); driver.starts_with(grade::no_driver))
     throw Error(
@@ -72,9 +72,7 @@ void SubmissionGrader::add_more_cases() {
     if (!fs::exists(file_of(steps_[i]))) continue;
     if (!is_there(folders_, steps_[i].name, Owner::solution))
       throw Error(fmt::format("--cases: the solution of {} must answer them, and is not here", steps_[i].name));
-    const TemporaryFolder work("atelier-cases");
-    const judge::RunSettings settings = run_settings({}, steps_[i], work.path());
-    judges_[i].add_cases(file_of(steps_[i]), as_solution(settings));
+    judges_[i].add_cases(file_of(steps_[i]), as_solution(run_settings({}, steps_[i])));
   }
 }
 
@@ -128,7 +126,7 @@ StepResult SubmissionGrader::grade_step(const grade::Submission& submission, con
   if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
     return judge.judge_unbuilt(judge::not_built(found->second));
 
-  const TemporaryFolder work("atelier-grade");  // the student's libraries, and the driver's caches
+  const TemporaryFolder work("atelier-grade");  // the student's libraries
   const sandbox::Sandbox sandbox(settings_.tier);
   sandbox.let_through(work.path());
   sandbox.let_through(submission.folder.parent_path());
@@ -140,7 +138,7 @@ StepResult SubmissionGrader::grade_step(const grade::Submission& submission, con
   const double seconds = compiling.seconds();
   if (events.interrupted && events.interrupted())
     throw judge::Interrupted();  // do not blame the student for an interrupted compiler
-  judge::RunSettings settings = run_settings(code, step, work.path());
+  judge::RunSettings settings = run_settings(code, step);
   settings.sandbox = &sandbox;
   settings.interrupted = events.interrupted;
   StepResult result = built.ok ? grade_built(step, judge, settings, seed, events) : judge.judge_unbuilt(built);
@@ -149,8 +147,7 @@ StepResult SubmissionGrader::grade_step(const grade::Submission& submission, con
   return result;
 }
 
-judge::RunSettings SubmissionGrader::run_settings(const grade::Code& code, const CourseStep& step,
-                                                  const fs::path& work) const {
+judge::RunSettings SubmissionGrader::run_settings(const grade::Code& code, const CourseStep& step) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step.name);
   settings.implementations = public_search_path(step, code);
@@ -161,8 +158,8 @@ judge::RunSettings SubmissionGrader::run_settings(const grade::Code& code, const
   settings.workers = settings_.workers;
   settings.shuffle = settings_.shuffle;
   if (settings_.case_limit) settings.case_limit = *settings_.case_limit;
-  settings.shader_cache = work / "shaders";        // never shared, since it contains machine code
-  settings.readable = {folders_.root / "common"};  // shaders
+  settings.shader_cache = solution_shaders_.path();  // a program in a sandbox has none
+  settings.readable = {folders_.root / "common"};    // shaders
   return settings;
 }
 

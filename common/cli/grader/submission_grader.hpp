@@ -58,8 +58,7 @@ class SubmissionGrader {
   judge::StepResult grade_built(const CourseStep& step, const grade::StepJudge& judge,
                                 const judge::RunSettings& settings, std::uint64_t seed,
                                 const GraderEvents& events) const;
-  judge::RunSettings run_settings(const grade::Code& code, const CourseStep& step,
-                                  const std::filesystem::path& work) const;
+  judge::RunSettings run_settings(const grade::Code& code, const CourseStep& step) const;
   Implementations public_search_path(const CourseStep& step, const grade::Code& code) const;
   void publish_earlier_steps();
   void add_more_cases();
@@ -70,6 +69,7 @@ class SubmissionGrader {
   GraderSettings settings_;
   judge::Environment environment_;
   std::deque<grade::StepJudge> judges_;  ///< of steps_, in order
+  TemporaryFolder solution_shaders_;     ///< the driver's cache for solutions, which no student's program can reach
   TemporaryFolder published_;            ///< earlier steps' solutions as later steps use them: NN-name/FILE
 };
 

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/file.hpp"
+#include "judge/report/report_words.hpp"
 
 namespace atelier::judge {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 std::string begin_of(const std::string& step) {
-  return fmt::format("<!-- step {} -->", step);
+  return fmt::format("<!-- step {} -->", anchor_text(step));
 }
 constexpr std::string_view end_mark = "<!-- end of the step -->\n";
 

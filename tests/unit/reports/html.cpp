@@ -50,7 +50,7 @@ std::vector<std::string> values(std::string_view html, std::string_view attribut
 
 /// The first tag that closes no open element, or the elements left open: empty if all are nested rightly.
 std::string nesting_error(std::string_view html) {
-  constexpr std::array<std::string_view, 3> without_end = {"meta", "img", "!DOCTYPE"};
+  constexpr std::array<std::string_view, 4> without_end = {"meta", "img", "!DOCTYPE", "!--"};
   std::vector<std::string_view> open;
   for (std::size_t at = html.find('<'); at != html.npos; at = html.find('<', at + 1)) {
     const bool closes = html[at + 1] == '/';
