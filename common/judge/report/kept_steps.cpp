@@ -58,7 +58,8 @@ std::vector<StepResult> kept_steps(const std::filesystem::path& folder, const st
   std::vector<StepResult> kept;
   try {
     const std::string report = read_file(folder / "report.html");
-    for (const OrderedJson& json : OrderedJson::parse(read_file(folder / "results.json")).at("steps")) {
+    const OrderedJson results = OrderedJson::parse(read_file(folder / "results.json"));
+    for (const OrderedJson& json : results.at("steps")) {
       StepResult step = step_of(json);
       const auto is_same = [&](const StepResult& other) { return other.step == step.step; };
       const std::string html = section_of(report, step.step);
