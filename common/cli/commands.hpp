@@ -192,6 +192,7 @@ int run_vary(const VaryOptions& options);
 struct BenchOptions {
   std::string step = "02";
   int repeats = 5;
+  int submissions = 0;    ///< time the grading of a class of so many instead; 0: do not
   bool baseline = false;  ///< only compare: frames with a baseline's and with one another, work with packages'
   bool json = false;
 };

@@ -360,6 +360,8 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
   bench->add_option("--repeats", options.bench.repeats, "Runs per measurement; the median is reported")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
+  bench->add_option("--class", options.bench.submissions, "Only time the grading of a class of so many submissions")
+      ->check(CLI::Range(1, 1000));
   bench->add_flag("--baseline", options.bench.baseline,
                   "Only compare: the step's frames with a baseline's and with one another, its work with packages'");
   add_json(bench, options.bench.json);

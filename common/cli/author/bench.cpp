@@ -60,6 +60,10 @@ Figure time_runs(std::string name, std::string detail, int repeats, const std::f
 int run_bench(const BenchOptions& options) {
   const ProjectFolders folders = project_folders();
   const auto course = read_course(folders.step_flags());
+  if (options.submissions > 0) {
+    bench_class(folders, course, options.submissions);
+    return exit_ok;
+  }
   const CourseStep& step = resolve_step(course, options.step);
   std::vector<Figure> figures;
   if (!options.baseline) {

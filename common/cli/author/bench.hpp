@@ -36,6 +36,10 @@ std::vector<Figure> bench_commands(const ProjectFolders& folders, const std::vec
 /// The parts within this process: contexts and comparisons.
 std::vector<Figure> bench_parts(int repeats);
 
+/// Grades a made-up class of `count` submissions of four steps, in a sandbox and without, and prints where the time
+/// went.
+void bench_class(const ProjectFolders& folders, const std::vector<CourseStep>& course, int count);
+
 inline constexpr int timed_frames = 15;  ///< per picture and round
 
 /// The step's program with the solutions, and with shaders that the driver optimises.
