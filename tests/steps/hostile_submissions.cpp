@@ -136,7 +136,7 @@ std::vector<std::string> found_in_results(const HostileSubmission& submission, c
 
   forbidden.push_back(hostile_success);
   forbidden.insert(forbidden.end(), submission.never.begin(), submission.never.end());
-  for (const auto& [file, bytes] : files_below(files)) {
+  for (const auto& [file, bytes] : files_with_bytes(files)) {
     for (const std::string& word : forbidden)
       if (const auto at = bytes.find(word); at != bytes.npos)
         found.push_back(
