@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "base/descriptor.hpp"
 
@@ -15,13 +17,25 @@ namespace atelier {
 /// locks nothing is locked.
 class FolderLock {
  public:
-  explicit FolderLock(const std::filesystem::path& folder)
-      : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+  /// The lock, or nothing if another process has it.
+  static std::optional<FolderLock> try_lock(const std::filesystem::path& folder) {
+    FolderLock lock(open(folder));
+    if (lock.folder_ && ::flock(lock.folder_.get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+      return std::nullopt;
+    return lock;
+  }
+
+  explicit FolderLock(const std::filesystem::path& folder) : folder_(open(folder)) {
     while (folder_ && ::flock(folder_.get(), LOCK_EX) != 0 && errno == EINTR) {
     }
   }
 
  private:
+  explicit FolderLock(Descriptor folder) : folder_(std::move(folder)) {}
+  static Descriptor open(const std::filesystem::path& folder) {
+    return Descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  }
+
   Descriptor folder_;
 };
 

@@ -28,8 +28,9 @@ const std::vector<std::string> picture_members = {"scene",      "camera", "size"
                                                   "references", "mask",   "regions", "truth_differs", "choice"};
 const std::vector<std::string> probe_members = {"probe",         "inputs",    "numbers", "expected",
                                                 "expected_from", "tolerance", "together"};
-const std::vector<std::string> shared_members = {"name",   "settings", "title",  "asked",   "hint",      "tier",
-                                                 "points", "student",  "hidden", "rejects", "functions", "needs"};
+const std::vector<std::string> shared_members = {"name",      "settings", "title",   "asked",  "hint",
+                                                 "tier",      "points",   "student", "hidden", "rejects",
+                                                 "functions", "needs",    "vary"};
 
 std::vector<std::string> known_members() {
   std::vector<std::string> known = shared_members;
@@ -87,13 +88,7 @@ void parse_picture(const Json& object, const std::string& where, Case& c) {
   c.scene = strict_json::text(strict_json::required(object, "scene", where), where + ": scene", 1024);
   if (const Json* camera = strict_json::optional(object, "camera"))
     c.camera = parse_camera(*camera, where + ": camera");
-  if (const Json* size = strict_json::optional(object, "size")) {
-    const std::string place = where + ": size";
-    if (!size->is_array() || size->size() != 2) {
-      strict_json::refuse(*size, place, fmt::format("[width, height], each 1..{} pixels", max_size));
-    }
-    for (int i : {0, 1}) c.size[i] = strict_json::integer((*size)[i], place, 1, max_size);
-  }
+  if (const Json* size = strict_json::optional(object, "size")) c.size = size_from_json(*size, where + ": size");
   if (const Json* output = strict_json::optional(object, "output")) {
     c.output = strict_json::name(*output, where + ": output", "_-");
   }
@@ -120,6 +115,13 @@ Json camera_to_json(const CaseCamera& camera) {
 }
 
 }  // namespace
+
+glm::ivec2 size_from_json(const Json& value, const std::string& where) {
+  if (!value.is_array() || value.size() != 2)
+    strict_json::refuse(value, where, fmt::format("[width, height], each 1..{} pixels", max_size));
+  const auto side = [&](int i) { return strict_json::integer(value[std::size_t(i)], where, 1, max_size); };
+  return {side(0), side(1)};
+}
 
 Case parse_case(const Json& object, const std::string& where) {
   if (!object.is_object()) strict_json::refuse(object, where, "an object {...}");

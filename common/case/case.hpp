@@ -59,6 +59,9 @@ struct Case {
 /// "cases.json: case 'sphere': size: ...".
 Case parse_case(const nlohmann::json& object, const std::string& where);
 
+/// A picture's size, [width, height], each 1..4096 pixels. Throws Error with `where`, the value and what is allowed.
+glm::ivec2 size_from_json(const nlohmann::json& value, const std::string& where);
+
 /// The JSON that parse_case reads; the judge passes it to the program.
 nlohmann::json to_json(const Case& c);
 

@@ -12,9 +12,9 @@
 namespace atelier {
 
 /// The commands that need what no release has: readable solutions, mistakes, tests. A release refuses them.
-inline constexpr const char* for_whole_project[] = {"compare", "release", "new-step",  "mistake",
-                                                    "mutate",  "tables",  "skeleton",  "reference",
-                                                    "audit",   "bench",   "stability", "test"};
+inline constexpr const char* for_whole_project[] = {"compare", "release",   "new-step",  "mistake", "mutate",
+                                                    "tables",  "skeleton",  "reference", "audit",   "vary",
+                                                    "bench",   "stability", "test"};
 
 struct ListOptions {
   bool json = false;
@@ -99,16 +99,26 @@ struct SubmitOptions {
 int run_submit(const SubmitOptions& options);
 
 struct GradeOptions {
-  std::filesystem::path submission;  ///< a folder with NN-name/ folders, or a ZIP of one
-  std::filesystem::path out;         ///< empty: out/grade/NAME
-  std::vector<std::string> steps;    ///< grade these, present or not; empty: those that are present
-  int workers = 2;
+  std::vector<std::filesystem::path> submissions;  ///< a submission (a folder with NN-name/ folders, or an archive of
+                                                   ///< one), or a class: a folder of submissions, or several
+  std::filesystem::path out;                       ///< empty: out/grade/NAME
+  std::vector<std::string> steps;                  ///< grade these; empty: those that are present; of a class all
+  int workers = 0;  ///< programs that draw at the same time, or of a class processes; 0: two, or one for each core
   std::string context;
-  std::optional<std::uint64_t> shuffle;
-  std::string sandbox = "best";  ///< or full, account, none (sandbox/tier.hpp)
+  std::string sandbox = "best";                ///< or full, account, none (sandbox/tier.hpp)
+  std::optional<std::uint64_t> seed, shuffle;  ///< seed: of the drawn numbers, 0..max_seed; none: by what is handed in
+  std::filesystem::path cases;                 ///< folder of further cases, NN-name/cases.json; empty: none
+  std::filesystem::path course;                ///< course.toml; empty: none. Only for a class.
+  std::string engine = "local";                ///< or slurm. Only for a class.
+  std::string engine_arguments;                ///< for sbatch
   bool json = false;
 };
 int run_grade(const GradeOptions& options);
+
+struct CourseCheckOptions {
+  std::filesystem::path file = "course.toml";
+};
+int run_course_check(const CourseCheckOptions& options);
 
 struct ReleaseOptions {
   std::vector<std::string> steps;   ///< or "all"
@@ -169,6 +179,15 @@ struct SkeletonOptions {
   bool check = false, force = false;
 };
 int run_skeleton(const SkeletonOptions& options);
+
+struct VaryOptions {
+  std::vector<std::string> steps;
+  std::uint64_t seed = 1;
+  int seeds = 5;
+  std::filesystem::path pictures;  ///< folder for the solution's pictures; empty: none
+  bool json = false;
+};
+int run_vary(const VaryOptions& options);
 
 struct BenchOptions {
   std::string step = "02";

@@ -15,6 +15,7 @@
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
 #include "cli/student/skeleton_update.hpp"
+#include "grade/varied_cases.hpp"
 
 namespace atelier {
 namespace {
@@ -27,7 +28,13 @@ struct Interface {
   /// Adds a subcommand: its options are read into `options` and passed to `run`.
   template <class Options>
   CLI::App* add(const char* name, const char* text, Options& options, int (*run)(const Options&)) {
-    CLI::App* command = app.add_subcommand(name, text);
+    return add_to(app, name, text, options, run);
+  }
+
+  /// Adds a command of a command: ./atelier course check.
+  template <class Options>
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* text, Options& options, int (*run)(const Options&)) {
+    CLI::App* command = parent.add_subcommand(name, text);
     command->final_callback([this, &options, run] { action = [&options, run] { return run(options); }; });
     return command;
   }
@@ -82,8 +89,10 @@ struct AllOptions {
   DoctorOptions doctor;
   SubmitOptions submit;
   GradeOptions grade;
+  CourseCheckOptions course_check;
   ReleaseOptions release;
   AuditOptions audit;
+  VaryOptions vary;
   ReferenceOptions reference;
   SkeletonOptions skeleton;
   NewStepOptions new_step;
@@ -176,20 +185,40 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
   GradeOptions& grade = options.grade;
   CLI::App* command = interface.add("grade", "Grade a submission", grade, run_grade);
   command
-      ->add_option("submission", grade.submission, "A folder that contains a folder for each step, or an archive of it")
+      ->add_option("submission", grade.submissions,
+                   "A folder that contains a folder for each step, or an archive of it; or a class: a folder of "
+                   "submissions as a course platform delivers it, or several submissions")
       ->required();
   command->add_option("--out", grade.out, "Folder of the results; default: out/grade/NAME");
   command->add_option("--step", grade.steps, "Grade this step, even if it is absent; can be repeated");
-  command->add_option("--workers", grade.workers, "Number of programs that draw at the same time")
-      ->check(CLI::Range(1, 64))
+  command
+      ->add_option("--workers", grade.workers,
+                   "Number of programs that draw at the same time, or of a class submissions; default: two, or one for "
+                   "each processor")
+      ->check(CLI::Range(1, 1000));
+  command->add_option("--course", grade.course, "Of a class: course.toml, with points, deadlines and columns");
+  command->add_option("--engine", grade.engine, "Of a class: where it is graded: local, or slurm (a job array)")
+      ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
+  command->add_option("--engine-arguments", grade.engine_arguments, "For sbatch: \"--partition=short --time=2:00:00\"");
   command
       ->add_option("--sandbox", grade.sandbox,
                    "What confines a student's code: best (that works here), full, account or none")
       ->capture_default_str();
   command->add_option("--shuffle", grade.shuffle, "Run the cases in a random order, from this seed");
+  command
+      ->add_option("--seed", grade.seed,
+                   "Draw the numbers of cases that vary from this seed; default: one that "
+                   "depends on the files handed in, so that grading again repeats them")
+      ->check(CLI::Range(std::uint64_t(0), grade::max_seed));
   add_context(command, grade.context);
   add_json(command, grade.json);
+
+  CLI::App* course = interface.app.add_subcommand("course", "Rules that turn points into grades: course.toml");
+  course->require_subcommand(1);
+  CLI::App* course_check = interface.add_to(*course, "check", "Say what a course.toml means, or what is wrong with it",
+                                            options.course_check, run_course_check);
+  course_check->add_option("file", options.course_check.file, "The file")->capture_default_str();
 
   CLI::App* release = interface.add("release", "Make the students' version: no solutions, patches or hidden cases",
                                     options.release, run_release);
@@ -306,6 +335,16 @@ void describe_for_authors(Interface& interface, AllOptions& options) {
       ->check(CLI::Range(1, 1000));
   add_json(audit, options.audit.json);
 
+  CLI::App* vary = interface.add("vary", "Prove the same of the cases whose numbers are drawn for each submission",
+                                 options.vary, run_vary);
+  add_steps(vary, options.vary.steps);
+  vary->add_option("--seed", options.vary.seed, "The first seed")
+      ->check(CLI::Range(std::uint64_t(0), grade::max_seed - 1000))
+      ->capture_default_str();
+  vary->add_option("--seeds", options.vary.seeds, "Number of seeds")->check(CLI::Range(1, 1000))->capture_default_str();
+  vary->add_option("--pictures", options.vary.pictures, "Write the solution's pictures to this folder");
+  add_json(vary, options.vary.json);
+
   CLI::App* bench =
       interface.add("bench", "Measure the time from an edit to its verdict, and its parts", options.bench, run_bench);
   bench->add_option("step", options.bench.step, "The step to measure")->capture_default_str();
@@ -346,8 +385,10 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
   std::vector<std::string> known;
   for (const CLI::App* command : app.get_subcommands({}))
     if (!command->get_group().empty()) known.push_back(command->get_name());
+  const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
+  if (named.empty()) throw Error(fmt::format("{}a command is missing{}", of, suggestion(named, known)));
   if (std::find(known.begin(), known.end(), named) == known.end())
-    throw Error(fmt::format("there is no command '{}'{}", named, suggestion(named, known)));
+    throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }
 
 /// The first argument is the step, the rest are for its program, except --earlier.
@@ -373,6 +414,8 @@ int run(int count, char** arguments) {
   const std::string named = count < 2 || arguments[1][0] == '-' ? "" : arguments[1];
   if (is_release()) leave_out_of_release(interface.app, named);
   if (!named.empty()) refuse_unknown_command(interface.app, named);
+  if (named == "course" && (count < 3 || arguments[2][0] != '-'))
+    refuse_unknown_command(*interface.app.get_subcommand(named), count < 3 ? "" : arguments[2]);
   try {
     interface.app.parse(count, arguments);
   } catch (const CLI::CallForHelp& help) {

@@ -6,12 +6,13 @@
 #include <locale.h>
 
 #include <algorithm>
-#include <map>
+#include <cctype>
+#include <fstream>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/printable.hpp"
 #include "grade/step_places.hpp"
 
@@ -22,8 +23,8 @@ namespace fs = std::filesystem;
 
 using Archive = std::unique_ptr<archive, int (*)(archive*)>;
 
-[[noreturn]] void refuse(const fs::path& file, const std::string& what) {
-  throw Error(fmt::format("{}: {}", file.string(), what));
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw Error(fmt::format("{}: {}", name, what));
 }
 
 /// The library's error message, made printable: it may contain a member's name.
@@ -40,7 +41,7 @@ struct Looks {
   const char* words = "";  ///< "a RAR archive"; empty if unknown
 };
 
-Looks looks_of(const std::string& bytes) {
+Looks looks_of(std::string_view bytes) {
   const auto begins = [&](std::string_view magic) { return bytes.starts_with(magic); };
   if (begins(std::string_view("PK\x03\x04", 4))) return {Kind::zip, "a ZIP"};
   if (begins("PK\x05\x06")) return {Kind::empty_zip, "a ZIP"};
@@ -68,50 +69,55 @@ bool support(archive* reader, Kind kind) {
 
 constexpr const char* what_is_read = "a submission is a folder, or a ZIP, tar, tar.gz, tar.xz or 7z of one";
 
-std::string bytes_of(const fs::path& file, const ArchiveLimits& limits) {
+/// An archive on the disk or in memory.
+struct Opened {
+  std::string name;        ///< in messages
+  fs::path file;           ///< empty: in memory
+  std::string_view bytes;  ///< all of them, or of a file the first
+  std::uintmax_t size = 0;
+};
+
+constexpr std::size_t first_bytes = 512;  ///< tell the kind of an archive
+
+/// Fills `first`, which must outlive the result.
+Opened open_file(const fs::path& file, std::string& first) {
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) refuse(file, fmt::format("is not a regular file; {}", what_is_read));
+  if (!fs::is_regular_file(file, error)) refuse(file.string(), fmt::format("is not a regular file; {}", what_is_read));
   const auto size = fs::file_size(file, error);
-  if (error || size > limits.archive_bytes)
-    refuse(file, fmt::format("is too large; an archive may have at most {} bytes", limits.archive_bytes));
-  if (size == 0) refuse(file, fmt::format("is empty (0 bytes); {}", what_is_read));
-  return read_file(file);
+  first.resize(first_bytes);
+  std::ifstream in(file, std::ios::binary);
+  if (error || !in) refuse(file.string(), "cannot be read");
+  in.read(first.data(), std::streamsize(first.size()));
+  first.resize(std::size_t(in.gcount()));
+  return {.name = file.string(), .file = file, .bytes = first, .size = size};
 }
 
-/// Reads `bytes`, which must outlive it.
-Archive open_archive(const fs::path& file, const std::string& bytes) {
-  const Looks looks = looks_of(bytes);
-  if (looks.kind == Kind::empty_zip) refuse(file, "is an empty archive");
+Archive open_archive(const Opened& opened, const ArchiveLimits& limits) {
+  if (opened.size > limits.archive_bytes)
+    refuse(opened.name, fmt::format("is too large; an archive may have at most {} bytes", limits.archive_bytes));
+  if (opened.size == 0) refuse(opened.name, fmt::format("is empty (0 bytes); {}", what_is_read));
+  const Looks looks = looks_of(opened.bytes);
+  if (looks.kind == Kind::empty_zip) refuse(opened.name, "is an empty archive");
   if (looks.kind == Kind::other)
-    refuse(file, *looks.words ? fmt::format("is {}; {}", looks.words, what_is_read)
-                              : fmt::format("is no archive; {}", what_is_read));
+    refuse(opened.name, *looks.words ? fmt::format("is {}; {}", looks.words, what_is_read)
+                                     : fmt::format("is no archive; {}", what_is_read));
   Archive reader(archive_read_new(), archive_read_free);
   if (!reader || !support(reader.get(), looks.kind))
-    refuse(file, fmt::format("cannot be read: the archive library does not support {}", looks.words));
-  if (archive_read_open_memory(reader.get(), bytes.data(), bytes.size()) != ARCHIVE_OK)
-    refuse(file, looks.kind == Kind::zip
-                     ? "is cut off or damaged: it begins as a ZIP, but the list of members at its end is missing"
-                     : fmt::format("is cut off or damaged: it begins as {}", looks.words));
+    refuse(opened.name, fmt::format("cannot be read: the archive library does not support {}", looks.words));
+  constexpr std::size_t block = 1 << 16;
+  const int status = opened.file.empty()
+                         ? archive_read_open_memory(reader.get(), opened.bytes.data(), opened.bytes.size())
+                         : archive_read_open_filename(reader.get(), opened.file.c_str(), block);
+  if (status != ARCHIVE_OK)
+    refuse(opened.name, looks.kind == Kind::zip
+                            ? "is cut off or damaged: it begins as a ZIP, but the list of members at its end is missing"
+                            : fmt::format("is cut off or damaged: it begins as {}", looks.words));
   return reader;
 }
-
-/// A wanted member's name, split into the folders in front (`prefix`, empty: none) and the wanted name.
-struct Place {
-  std::string name, prefix;
-};
 
 bool in_folder_of_tools(const std::string& path) {
   return std::ranges::any_of(fs::path(path).parent_path(),
                              [](const fs::path& part) { return is_folder_of_tools(part.string()); });
-}
-
-/// Nothing if the member is not wanted.
-std::optional<Place> place_of(const std::string& member, const std::set<std::string>& wanted) {
-  if (wanted.contains(member)) return Place{member, ""};  // no prefix
-  for (auto slash = member.find('/'); slash != member.npos; slash = member.find('/', slash + 1))
-    if (wanted.contains(member.substr(slash + 1)) && !in_folder_of_tools(member))
-      return Place{member.substr(slash + 1), member.substr(0, slash)};
-  return std::nullopt;
 }
 
 /// Whether a path leads out of the folder that it would be unpacked in.
@@ -159,65 +165,44 @@ std::string name_of(archive_entry* entry) {
 
 class ArchiveReader {
  public:
-  ArchiveReader(const fs::path& file, const ArchiveLimits& limits)
-      : file_(file), limits_(limits), bytes_(bytes_of(file, limits)), reader_(open_archive(file, bytes_)) {}
+  ArchiveReader(const Opened& opened, const WantedBytes& wanted, const TakeMember& take, const ArchiveLimits& limits)
+      : opened_(opened), wanted_(wanted), take_(take), limits_(limits), reader_(open_archive(opened, limits)) {}
 
-  ArchiveContents read(const std::set<std::string>& wanted) {
+  ArchiveContents read() {
     while (archive_entry* entry = next()) {
       const std::string name = name_of(entry);
-      contents_.names.push_back(name);
       const std::string special = why_not_regular(entry);
-      const auto place = place_of(name, wanted);
-      if (leads_out(name))
+      if (leads_out(name)) {
         skip(name, "leads out of the archive's folder");
-      else if (place)
-        take(entry, *place, special);
+        continue;
+      }
+      contents_.names.push_back(name);
+      const std::size_t most = in_folder_of_tools(name) ? 0 : wanted_(name);
+      if (most > 0 && archive_entry_filetype(entry) != AE_IFDIR)
+        take(entry, name, special, most);
       else if (!special.empty() && archive_entry_filetype(entry) != AE_IFDIR)
         skip(name, special);
     }
-    choose_folder();
+    contents_.inflated = total_ + skipped_;
     return std::move(contents_);
   }
 
  private:
-  /// What is wanted, behind the same folders.
-  struct Found {
-    std::map<std::string, std::string> files;
-    judge::UnusableFiles unusable;
-  };
-
-  /// Takes what has the fewest folders in front.
-  void choose_folder() {
-    const auto depth = [](const std::string& prefix) {
-      return prefix.empty() ? 0 : 1 + std::ranges::count(prefix, '/');
-    };
-    std::vector<std::string> prefixes;
-    for (const auto& [prefix, found] : found_) prefixes.push_back(prefix);
-    std::ranges::stable_sort(prefixes, {}, depth);
-    if (prefixes.empty()) return;
-    if (prefixes.size() > 1 && depth(prefixes[0]) == depth(prefixes[1]))
-      refuse(file_, fmt::format("has steps in two folders, '{}' and '{}'; it must be one submission",
-                                printable(prefixes[0]), printable(prefixes[1])));
-    contents_.files = std::move(found_[prefixes[0]].files);
-    contents_.unusable = std::move(found_[prefixes[0]].unusable);
-    for (std::size_t i = 1; i < prefixes.size(); ++i) skip(prefixes[i], "has steps too, deeper in the archive");
-  }
-
   void skip(const std::string& name, const std::string& why) {
     contents_.skipped.push_back(shorten(printable(name), 100) + " " + why);
   }
 
-  void take(archive_entry* entry, const Place& place, const std::string& special) {
-    Found& found = found_[place.prefix];
-    if (found.files.contains(place.name) || found.unusable.contains(place.name))
-      refuse(file_, "contains " + place.name + " twice");
+  void take(archive_entry* entry, const std::string& name, const std::string& special, std::size_t most) {
+    if (!taken_.insert(name).second) refuse(opened_.name, "contains " + printable_name(name) + " twice");
     if (!special.empty())
-      found.unusable[place.name] = special;
-    else if (auto bytes = inflate(entry, place.name))
-      found.files[place.name] = std::move(*bytes);
+      contents_.unusable[name] = special;
+    else if (auto bytes = inflate(entry, printable_name(name), most))
+      take_(name, std::move(*bytes));
     else
-      found.unusable[place.name] = judge::is_too_large(limits_.member_bytes);
+      contents_.unusable[name] = judge::is_too_large(most);
   }
+
+  static std::string printable_name(const std::string& name) { return shorten(printable(name), 100); }
 
   /// Reads what is left of a member, so that the limits hold for what nobody wants too.
   void skip_data() {
@@ -227,7 +212,8 @@ class ArchiveReader {
     while (archive_read_data_block(reader_.get(), &block, &size, &offset) == ARCHIVE_OK) {
       skipped_ += size;
       if (skipped_ > limits_.skipped_bytes)
-        refuse(file_, fmt::format("inflates to more than {} bytes besides the steps' files", limits_.skipped_bytes));
+        refuse(opened_.name,
+               fmt::format("inflates to more than {} bytes besides the steps' files", limits_.skipped_bytes));
     }
   }
 
@@ -237,51 +223,80 @@ class ArchiveReader {
     archive_entry* entry = nullptr;
     const int status = archive_read_next_header(reader_.get(), &entry);
     if (status == ARCHIVE_EOF) return nullptr;
-    if (status < ARCHIVE_WARN) refuse(file_, "is not a complete archive: " + words_of(reader_.get()));
-    if (++members_ > limits_.members) refuse(file_, fmt::format("has more than {} members", limits_.members));
+    if (status < ARCHIVE_WARN) refuse(opened_.name, "is not a complete archive: " + words_of(reader_.get()));
+    if (++members_ > limits_.members) refuse(opened_.name, fmt::format("has more than {} members", limits_.members));
     return entry;
   }
 
   /// Nothing if the member is too large; the rest of it is not read.
-  std::optional<std::string> inflate(archive_entry* entry, const std::string& name) {
+  std::optional<std::string> inflate(archive_entry* entry, const std::string& name, std::size_t most) {
     if (archive_entry_is_encrypted(entry))
-      refuse(file_, "contains the encrypted file " + name + "; make the archive without a password");
+      refuse(opened_.name, "contains the encrypted file " + name + "; make the archive without a password");
     std::string bytes;
     char block[1 << 14];
     for (;;) {
       const la_ssize_t count = archive_read_data(reader_.get(), block, sizeof block);
       if (count == 0) return bytes;
-      if (count < 0) refuse(file_, fmt::format("{} cannot be inflated: {}", name, words_of(reader_.get())));
+      if (count < 0) refuse(opened_.name, fmt::format("{} cannot be inflated: {}", name, words_of(reader_.get())));
       bytes.append(block, std::size_t(count));
       total_ += std::size_t(count);
       check_limits(name);
-      if (bytes.size() > limits_.member_bytes) return std::nullopt;
+      if (bytes.size() > most) return std::nullopt;
     }
   }
 
   void check_limits(const std::string& name) const {
     if (total_ > limits_.total_bytes)
-      refuse(file_, fmt::format("the steps' files together may have at most {} bytes", limits_.total_bytes));
-    if (double(total_) > limits_.ratio * double(bytes_.size()))
-      refuse(file_, fmt::format("{} inflates to more than {:g} times the archive's size; source code never does", name,
-                                limits_.ratio));
+      refuse(opened_.name, fmt::format("the steps' files together may have at most {} bytes", limits_.total_bytes));
+    if (double(total_) > limits_.ratio * double(opened_.size))
+      refuse(opened_.name, fmt::format("{} inflates to more than {:g} times the archive's size; source code never does",
+                                       name, limits_.ratio));
   }
 
   Utf8Locale utf8_;  // before reader_, which reads the locale when it opens the file
-  fs::path file_;
+  const Opened& opened_;
+  const WantedBytes& wanted_;
+  const TakeMember& take_;
   ArchiveLimits limits_;
-  std::string bytes_;  ///< of the archive
   Archive reader_;
   std::size_t total_ = 0, skipped_ = 0;
   int members_ = 0;
-  std::map<std::string, Found> found_;  ///< by the folders in front of the steps' folders
+  std::set<std::string> taken_;
   ArchiveContents contents_;
 };
 
+/// The ending of an archive's name; empty if it has none.
+std::string archive_ending(const std::string& name) {
+  std::string ending = fs::path(name).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  static const std::set<std::string> endings = {".zip", ".tar", ".gz",  ".tgz", ".xz",  ".txz",
+                                                ".7z",  ".rar", ".bz2", ".tbz", ".zst", ".zipx"};
+  return endings.contains(ending) ? ending : "";
+}
+
 }  // namespace
 
-ArchiveContents read_archive(const fs::path& file, const std::set<std::string>& wanted, const ArchiveLimits& limits) {
-  return ArchiveReader(file, limits).read(wanted);
+ArchiveContents read_archive(const fs::path& file, const WantedBytes& wanted, const TakeMember& take,
+                             const ArchiveLimits& limits) {
+  std::string first;
+  const Opened opened = open_file(file, first);
+  return ArchiveReader(opened, wanted, take, limits).read();
+}
+
+ArchiveContents read_archive(const std::string& name, std::string_view bytes, const WantedBytes& wanted,
+                             const TakeMember& take, const ArchiveLimits& limits) {
+  const Opened opened = {.name = name, .file = {}, .bytes = bytes, .size = bytes.size()};
+  return ArchiveReader(opened, wanted, take, limits).read();
+}
+
+bool has_archive_name(const std::string& name) {
+  return !archive_ending(name).empty();
+}
+
+std::string without_archive_endings(const std::string& name) {
+  fs::path path = name;
+  while (has_archive_name(path.string()) && path.stem() != path) path = path.stem();
+  return path.string();
 }
 
 }  // namespace atelier::grade

@@ -22,6 +22,12 @@ struct Student {
   std::string identifier;  ///< the platform's number or login; empty: unknown
 };
 
+/// The points of a step's cases of one tier.
+struct TierPoints {
+  double score = 0, max_score = 0;
+  bool operator==(const TierPoints&) const = default;
+};
+
 struct StepRecord {
   enum class State {
     judged,
@@ -31,9 +37,10 @@ struct StepRecord {
   };
   std::string step;
   State state = State::judged;
-  double score = 0, max_score = 0;      ///< points of the cases, before course.toml
-  int passed = 0, cases = 0;            ///< cases with points
-  std::map<std::string, int> mistakes;  ///< recognised mistakes, each with the number of its cases
+  double score = 0, max_score = 0;          ///< points of the cases, before course.toml
+  std::map<std::string, TierPoints> tiers;  ///< the same by tier: "core", "further", "challenge"; empty: all are core
+  int passed = 0, cases = 0;                ///< cases with points
+  std::map<std::string, int> mistakes;      ///< recognised mistakes, each with the number of its cases
 };
 
 struct SubmissionRecord {
@@ -50,7 +57,7 @@ struct SubmissionRecord {
   std::map<std::string, double> seconds;  ///< "compile", "start", "render", "compare", "report", "wait"
 };
 
-/// The record's part for a judged step.
+/// The record's part for a judged step. Of a step in another state the mistakes are left out.
 StepRecord record_of(const judge::StepResult& step, StepRecord::State state);
 
 std::string to_string(StepRecord::State state);  ///< "judged", "not_built", "not_handed_in", "untouched"

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/near_names.hpp"
+#include "base/stopwatch.hpp"
 #include "judge/explain/causes.hpp"
 #include "judge/run/ask.hpp"
 
@@ -56,6 +57,25 @@ std::vector<JudgedCase> select(CaseFile& file, const std::vector<std::string>& o
                [](const JudgedCase& c) { return c.profile == judge::Profile::values; });
   file.cases.erase(others, file.cases.end());
   return probes;
+}
+
+/// A case as it is asked: a stored one, or one with drawn numbers.
+struct Question {
+  const JudgedCase* judged;
+  std::size_t place;  ///< of the stored case
+  bool varies;
+};
+
+/// Each case with drawn numbers follows its stored one: the scene that both show is made once.
+std::vector<Question> questions_of(const std::vector<JudgedCase>& stored, const VariedCases* varied) {
+  std::vector<Question> questions;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    questions.push_back({&stored[i], i, false});
+    if (varied && next < varied->cases.size() && varied->cases[next].of == i)
+      questions.push_back({&varied->cases[next++].judged, i, true});
+  }
+  return questions;
 }
 
 /// Removes the results of cases from `count` on.
@@ -121,19 +141,46 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
   live_ = true;
 }
 
-StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case) const {
+VariedCases StepJudge::vary(std::uint64_t seed, const judge::RunSettings& solution) const {
+  return vary_cases(file_.cases, references_, seed, solution);
+}
+
+StepResult StepJudge::judge(const judge::RunSettings& settings, judge::KeepEvidence keep, const OnCase& on_case,
+                            const VariedCases* varied) const {
+  std::vector<JudgedCase> stored = file_.cases;
+  stored.insert(stored.end(), witnesses_.begin(), witnesses_.end());
+  const std::vector<Question> questions = questions_of(stored, varied);
+  std::vector<JudgedCase> asked;
+  for (const Question& question : questions) asked.push_back(*question.judged);
+
+  const Stopwatch all;
+  double rendering = 0, comparing = 0;
+  judge::RunSettings patient = settings;
+  if (varied) patient.max_time_outs *= 2;  // a case that hangs may hang with both numbers
   StepResult result = empty_result();
-  std::vector<JudgedCase> asked = file_.cases;
-  asked.insert(asked.end(), witnesses_.begin(), witnesses_.end());
-  result.cases.resize(asked.size());
+  result.cases.resize(stored.size());
+  std::vector<CaseResult> with_other_numbers(stored.size());
   // Judges each answer while the programs draw the next.
-  judge::ask_cases(settings, file_.step, asked, [&](std::size_t index, const Answer& answer) {
-    result.cases[index] = judge::judge_case(asked[index], answer, references_, keep);
-    if (on_case && index < file_.cases.size()) on_case();
+  judge::ask_cases(patient, file_.step, asked, [&](std::size_t index, const Answer& answer) {
+    const auto& [judged, place, varies] = questions[index];
+    const Stopwatch watch;
+    (varies ? with_other_numbers : result.cases)[place] =
+        judge::judge_case(*judged, answer, varies ? varied->references : references_, keep);
+    rendering += answer.seconds;
+    comparing += watch.seconds();
+    if (on_case && !varies && place < file_.cases.size()) on_case();
   });
-  judge::explain_step(result, asked, references_);
+  const Stopwatch explaining;
+  if (varied)
+    for (const VariedCase& c : varied->cases)
+      result.cases[c.of] = both(std::move(result.cases[c.of]), std::move(with_other_numbers[c.of]), c.numbers);
+  judge::explain_step(result, stored, references_);
   keep_first(result, file_.cases.size());
   sum_up(result);
+  comparing += explaining.seconds();
+  rendering /= settings.workers;  // they draw at the same time
+  result.seconds = {
+      {"render", rendering}, {"compare", comparing}, {"start", std::max(0.0, all.seconds() - rendering - comparing)}};
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "grade/varied_cases.hpp"
 #include "judge/compare/judged_case.hpp"
 #include "judge/compare/references.hpp"
 #include "judge/compare/result.hpp"
@@ -48,12 +49,16 @@ class StepJudge {
   /// of budget cases do not depend on the driver and are kept. Throws Error naming the case that is not drawn.
   void use_live_references(const judge::RunSettings& solution);
 
+  /// The cases with numbers drawn for one submission, answered by the solution; see vary_cases.
+  VariedCases vary(std::uint64_t seed, const judge::RunSettings& solution) const;
+
   /// Asks the program for every case and judges each answer when it arrives. `settings` says which program and which
-  /// code to run; `keep` says which results keep their pictures; `on_case` is called after each verdict. Throws Error
-  /// only for problems that are not the student's.
+  /// code to run; `keep` says which results keep their pictures; `on_case` is called after the verdict on each stored
+  /// case. A case that is among `varied` passes only if it passes there too. Throws Error only for problems that are
+  /// not the student's.
   using OnCase = std::function<void()>;
   judge::StepResult judge(const judge::RunSettings& settings, judge::KeepEvidence keep = judge::KeepEvidence::failures,
-                          const OnCase& on_case = {}) const;
+                          const OnCase& on_case = {}, const VariedCases* varied = nullptr) const;
 
   /// The result if the files do not build: no points, and the compiler's messages or the unusable files.
   judge::StepResult judge_unbuilt(const judge::Built& built) const;

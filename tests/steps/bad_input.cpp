@@ -17,6 +17,7 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
   write_file(empty.path() / "not-a.zip", std::string_view("PK nothing"));
   write_file(empty.path() / "empty.zip", std::string_view());
   write_file(empty.path() / "cut.zip", std::string_view("PK\3\4 and no more"));
+  write_file(empty.path() / "course.toml", std::string_view("[late]\npercent_per_day = 200\n"));
   std::filesystem::create_directory(empty.path() / "no-steps");
   const std::string out = (empty.path() / "out").string();
   const auto path = [&](const char* name) { return (empty.path() / name).string(); };
@@ -41,6 +42,12 @@ TEST_CASE("bad input gets one message, status 2, and leaves nothing behind", "[b
       {"a step's own folder", {"grade", "solutions/00-hello", "--out", out}, "name its parent folder"},
       {"a step that is not there", {"grade", "solutions", "--step", "99", "--out", out}, "99"},
       {"no worker", {"grade", "solutions", "--workers", "0", "--out", out}, "--workers"},
+      {"a course without a command", {"course"}, "known are check"},
+      {"an unknown command of a course", {"course", "chekc"}, "did you mean 'check'?"},
+      {"no course.toml", {"course", "check", path("nowhere.toml")}, "docs/course.toml is one to copy"},
+      {"an impossible course.toml",
+       {"course", "check", path("course.toml")},
+       "course.toml:2: percent_per_day: 200 is not allowed; it takes a number 0..100"},
       {"a case of no step", {"reference", "--case", "x"}, "--case"},
       {"no step to run", {"run"}, "which step"},
       {"a pixel without its case", {"explain", "02"}, "name a case with a picture: encoded, "},

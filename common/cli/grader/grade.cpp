@@ -12,10 +12,12 @@
 #include "base/printable.hpp"
 #include "base/replace_together.hpp"
 #include "cli/commands.hpp"
+#include "cli/grader/grade_class.hpp"
 #include "cli/grader/submission_grader.hpp"
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
 #include "cli/stop.hpp"
+#include "grade/class_folder.hpp"
 #include "grade/submission.hpp"
 #include "judge/report/report_html.hpp"
 #include "judge/report/report_json.hpp"
@@ -38,12 +40,16 @@ void prepare_results_folder(const fs::path& out) {
 }
 
 /// Sets the commands that judge a case of this submission again; empty for an archive, which `check` cannot read.
-void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source) {
+/// With drawn numbers only `grade` does.
+void set_rerun_commands(judge::SubmissionResult& result, const fs::path& source, const fs::path& handed_in) {
   const std::string folder = source.empty() ? "" : shell_word(source.string());
   for (StepResult& step : result.steps)
     for (judge::CaseResult& c : step.cases)
-      c.command =
-          folder.empty() ? "" : fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
+      if (!c.other_numbers.empty())
+        c.command = fmt::format("./atelier grade {} --step {} --seed {}", shell_word(handed_in.string()), step.step,
+                                result.seed.value_or(0));
+      else if (!folder.empty())
+        c.command = fmt::format("./atelier check {} --case {} --sources {}", step.step, c.name, folder);
 }
 
 /// The requested steps, or all that were handed in.
@@ -62,33 +68,46 @@ void write_results(judge::SubmissionResult& result, const fs::path& out) {
                     {out / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
 }
 
+/// Options that only a class has.
+void refuse_options_of_classes(const GradeOptions& options) {
+  const auto refuse = [](const char* option) {
+    throw Error(fmt::format("{}: is for a class, and this is one submission", option));
+  };
+  if (!options.course.empty()) refuse("--course");
+  if (options.engine != "local" || !options.engine_arguments.empty()) refuse("--engine");
+}
+
 }  // namespace
 
 int run_grade(const GradeOptions& options) {
+  if (grade::is_class(judge::read_step_flags(project_folders().step_flags()), options.submissions))
+    return run_grade_class(options);
+  refuse_options_of_classes(options);
   const StopOnSignal stop;
+  const fs::path& source = options.submissions.front();
   const ProjectFolders folders = project_folders();
   const std::vector<CourseStep> course = read_course(folders.step_flags());
   const TemporaryFolder copies("atelier-submission");
   const grade::Submission submission =
-      grade::take_submission(judge::read_step_flags(folders.step_flags()), options.submission, copies.path() / "files");
+      grade::take_submission(judge::read_step_flags(folders.step_flags()), source, copies.path() / "files");
   const fs::path out = options.out.empty() ? folders.out() / "grade" / submission.name : fs::absolute(options.out);
 
   const sandbox::Tier tier = sandbox::choose_tier(sandbox::find_possible_tiers(), options.sandbox);
   const std::vector<CourseStep> steps = steps_to_grade(course, submission, options.steps);
   const SubmissionGrader grader(
       folders, course, steps,
-      {.context = options.context, .workers = options.workers, .shuffle = options.shuffle, .tier = tier});
+      {.context = options.context, .workers = options.workers > 0 ? std::min(options.workers, 64) : 2, .shuffle = options.shuffle, .tier = tier});
   prepare_results_folder(out);
 
   Progress progress(steps.size());
   judge::SubmissionResult result = grader.grade(
-      submission,
+      submission, options.seed.value_or(grade::seed_of(submission)),
       {.interrupted = [&] { return stop.requested(); },
        .building = [&](const std::string& step) { progress.building(step); },
        .judged = [&](const std::string& step, std::size_t k, std::size_t n) { progress.judged(step, k, n); },
        .finished = [&](const StepResult& step) { progress.finished(step); }});
   progress.clear();
-  set_rerun_commands(result, submission.source);
+  set_rerun_commands(result, submission.source, source);
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/stopwatch.hpp"
 #include "cli/criteria.hpp"
 #include "cli/grader/solution_for_later_steps.hpp"
 #include "cli/search_path.hpp"
@@ -73,13 +73,15 @@ Implementations SubmissionGrader::public_search_path(const CourseStep& step, con
   return Implementations(std::move(roots));
 }
 
-judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submission, const GraderEvents& events) const {
+judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submission, std::uint64_t seed,
+                                                const GraderEvents& events) const {
   judge::SubmissionResult result;
   result.submission = submission.name;
+  result.seed = seed;
   result.environment = environment_;
   result.notes = submission.notes;
   for (std::size_t i = 0; i < steps_.size(); ++i) {
-    result.steps.push_back(grade_step(submission, steps_[i], judges_[i], events));
+    result.steps.push_back(grade_step(submission, steps_[i], judges_[i], seed, events));
     if (events.finished) events.finished(result.steps.back());
   }
   grade::sum_up(result);
@@ -87,54 +89,74 @@ judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submiss
 }
 
 StepResult SubmissionGrader::grade_step(const grade::Submission& submission, const CourseStep& step,
-                                        const grade::StepJudge& judge, const GraderEvents& events) const {
+                                        const grade::StepJudge& judge, std::uint64_t seed,
+                                        const GraderEvents& events) const {
   if (const auto found = submission.skipped.find(step.name); found != submission.skipped.end())
     return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
   if (!submission.present.contains(step.name)) return judge.judge_absent();
+  if (submission.untouched.contains(step.name))
+    return judge.judge_absent("The skeleton was handed in as it was given, so nothing is judged.");
   if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
     return judge.judge_unbuilt(judge::not_built(found->second));
 
-  const TemporaryFolder work("atelier-grade");  // the student's libraries, and the driver's cache
+  const TemporaryFolder work("atelier-grade");  // the student's libraries, and the driver's caches
   const sandbox::Sandbox sandbox(settings_.tier);
-  const grade::Code code{.sources = submission.folder, .libraries = work.path() / "libraries"};
-  if (events.building) events.building(step.name);
-  const auto begin = std::chrono::steady_clock::now();
   sandbox.let_through(work.path());
   sandbox.let_through(submission.folder.parent_path());
+  const grade::Code code{.sources = submission.folder, .libraries = work.path() / "libraries"};
+  if (events.building) events.building(step.name);
+  const Stopwatch compiling;
   const judge::Built built =
       judge::build_step(flags_, step.name, code.sources / step.name, code.libraries, {.sandbox = &sandbox});
+  const double seconds = compiling.seconds();
   if (events.interrupted && events.interrupted())
     throw judge::Interrupted();  // do not blame the student for an interrupted compiler
-  const std::chrono::duration<double> compiling = std::chrono::steady_clock::now() - begin;
-  StepResult result =
-      built.ok ? grade_built(code, step, judge, sandbox, work.path() / "shaders", events) : judge.judge_unbuilt(built);
+  judge::RunSettings settings = run_settings(code, step, work.path());
+  settings.sandbox = &sandbox;
+  settings.interrupted = events.interrupted;
+  StepResult result = built.ok ? grade_built(step, judge, settings, seed, events) : judge.judge_unbuilt(built);
   result.build_log = built.log;
-  result.seconds["compile"] = compiling.count();
+  result.seconds["compile"] = seconds;
   return result;
 }
 
-StepResult SubmissionGrader::grade_built(const grade::Code& code, const CourseStep& step, const grade::StepJudge& judge,
-                                         const sandbox::Sandbox& sandbox, const fs::path& shader_cache,
-                                         const GraderEvents& events) const {
-  const Owners earlier = choose_owners(folders_, course_, step, "solution");
+judge::RunSettings SubmissionGrader::run_settings(const grade::Code& code, const CourseStep& step,
+                                                  const fs::path& work) const {
   judge::RunSettings settings;
   settings.program = folders_.program(step.name);
   settings.implementations = public_search_path(step, code);
   if (is_there(folders_, step.name, Owner::solution))
-    settings.solution = search_path(folders_, step, code_of(folders_, Owner::solution), earlier);
+    settings.solution = search_path(folders_, step, code_of(folders_, Owner::solution),
+                                    choose_owners(folders_, course_, step, "solution"));
   settings.context = settings_.context;
   settings.workers = settings_.workers;
   settings.shuffle = settings_.shuffle;
-  settings.interrupted = events.interrupted;
-  settings.shader_cache = shader_cache;  // never shared, since it contains machine code
-  settings.sandbox = &sandbox;
+  if (settings_.case_limit) settings.case_limit = *settings_.case_limit;
+  settings.shader_cache = work / "shaders";        // never shared, since it contains machine code
   settings.readable = {folders_.root / "common"};  // shaders
+  return settings;
+}
+
+StepResult SubmissionGrader::grade_built(const CourseStep& step, const grade::StepJudge& judge,
+                                         const judge::RunSettings& settings, std::uint64_t seed,
+                                         const GraderEvents& events) const {
+  const Stopwatch drawing;
+  std::optional<grade::VariedCases> varied;
+  if (settings.solution) {
+    judge::RunSettings solution = settings;
+    solution.implementations = *settings.solution;
+    solution.sandbox = nullptr;
+    solution.shader_cache = settings.shader_cache.parent_path() / "shaders of the solution";
+    varied = judge.vary(seed, solution);
+  }
+  const double seconds = drawing.seconds();
   std::size_t judged = 0;
   const auto on_case = [&] {
     if (events.judged) events.judged(step.name, ++judged, judge.cases().size());
   };
-  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case);
-  result.implementations = in_words(earlier, step.name, "submission");
+  StepResult result = judge.judge(settings, judge::KeepEvidence::failures, on_case, varied ? &*varied : nullptr);
+  result.implementations = in_words(choose_owners(folders_, course_, step, "solution"), step.name, "submission");
+  result.seconds["solution"] = seconds;
   return result;
 }
 

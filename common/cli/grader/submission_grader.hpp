@@ -1,6 +1,7 @@
 // Grades submissions one after the other, each in a sandbox of its own.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -23,6 +24,7 @@ struct GraderSettings {
   int workers = 2;                       ///< programs that draw at the same time, 1..64
   std::optional<std::uint64_t> shuffle;  ///< seed of a random order of the cases; none: as listed
   sandbox::Tier tier = sandbox::Tier::none;
+  std::optional<std::chrono::milliseconds> case_limit;  ///< wall-clock time of one case; none: the default
 };
 
 /// Called while a submission is graded.
@@ -40,19 +42,23 @@ class SubmissionGrader {
   SubmissionGrader(const ProjectFolders& folders, const std::vector<CourseStep>& course,
                    const std::vector<CourseStep>& steps, const GraderSettings& settings);
 
-  /// The result of each of the grader's steps, also of those that are not handed in. Throws judge::Interrupted if the
-  /// event says so, and Error only for problems that are not the student's.
-  judge::SubmissionResult grade(const grade::Submission& submission, const GraderEvents& events) const;
+  /// The result of each of the grader's steps, also of those that are not handed in, with numbers drawn from `seed`
+  /// (grade/varied_cases.hpp) where there is a solution. Throws judge::Interrupted if the event says so, and Error only
+  /// for problems that are not the student's.
+  judge::SubmissionResult grade(const grade::Submission& submission, std::uint64_t seed,
+                                const GraderEvents& events) const;
 
   const judge::StepFlags& flags() const { return flags_; }
   const judge::Environment& environment() const { return environment_; }
 
  private:
   judge::StepResult grade_step(const grade::Submission& submission, const CourseStep& step,
-                               const grade::StepJudge& judge, const GraderEvents& events) const;
-  judge::StepResult grade_built(const grade::Code& code, const CourseStep& step, const grade::StepJudge& judge,
-                                const sandbox::Sandbox& sandbox, const std::filesystem::path& shader_cache,
+                               const grade::StepJudge& judge, std::uint64_t seed, const GraderEvents& events) const;
+  judge::StepResult grade_built(const CourseStep& step, const grade::StepJudge& judge,
+                                const judge::RunSettings& settings, std::uint64_t seed,
                                 const GraderEvents& events) const;
+  judge::RunSettings run_settings(const grade::Code& code, const CourseStep& step,
+                                  const std::filesystem::path& work) const;
   Implementations public_search_path(const CourseStep& step, const grade::Code& code) const;
   void publish_earlier_steps();
 

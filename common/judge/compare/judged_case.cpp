@@ -189,12 +189,22 @@ void read_probe(const Reader& r, const fs::path& folder, JudgedCase& c) {
   }
 }
 
+void read_vary(const Reader& r, const Json& vary, JudgedCase& c) {
+  if (c.choice) r.refuse("'vary' is not allowed with 'choice', whose truth is stored");
+  if (!c.needs.empty()) r.refuse("'vary' is not allowed with 'needs': it would be judged on some machines only");
+  c.vary = read_variation(vary, c.ask, r.at("vary"));
+  const bool moves = !c.vary->camera.empty() || !c.vary->sizes.empty();
+  if (moves && (!c.mask.empty() || !c.regions.empty()))
+    r.refuse("vary: camera and size are not allowed with 'mask' or 'regions', whose rectangles would lie elsewhere");
+}
+
 JudgedCase read_case(const Json& object, const std::string& where, const fs::path& folder) {
   JudgedCase c;
   c.ask = parse_case(object, where);
   const Reader r{object, fmt::format("{}: case '{}'", where, c.ask.name)};
   read_about(r, c);
   c.ask.probe.empty() ? read_picture(r, folder, c) : read_probe(r, folder, c);
+  if (const Json* vary = r.find("vary")) read_vary(r, *vary, c);
   return c;
 }
 
@@ -231,6 +241,10 @@ CaseFile read_case_file(const fs::path& path) {
     const std::string& name = file.cases.back().ask.name;
     if (!names.insert(name).second) throw Error(fmt::format("{}: two cases are named '{}'", where, name));
   }
+  for (const JudgedCase& c : file.cases)
+    if (c.vary && names.contains(name_of_varied(c.ask.name)))
+      throw Error(fmt::format("{}: case '{}': vary: '{}' is another case's name", where, c.ask.name,
+                              name_of_varied(c.ask.name)));
   std::vector<std::string> budget_cases;
   for (const JudgedCase& c : file.cases)
     if (c.choice) budget_cases.push_back(c.ask.name);

@@ -20,6 +20,8 @@
 //     "functions"  names of the student's functions that the case tests
 //     "needs"      optional driver features; such a case has no points
 //     "settings"   {"shadow.resolution": 2048, ...}: those that differ from the program's defaults
+//     "vary"       ranges of the numbers that are drawn anew for every submission (judge/compare/variation.hpp); not of
+//                  a budget case or one that needs features; with a mask or regions, camera and size stay
 //
 //   Of a picture
 //     "scene"      a built-in scene's name or a file
@@ -61,6 +63,7 @@
 #include "case/case.hpp"
 #include "judge/compare/choice.hpp"
 #include "judge/compare/regions.hpp"
+#include "judge/compare/variation.hpp"
 
 namespace atelier::judge {
 
@@ -103,6 +106,7 @@ struct JudgedCase {
   std::vector<std::string> functions;  ///< the student's functions that this case tests
   bool together = false;               ///< a probe: it tests these functions together, and no single one
   std::vector<std::string> needs;      ///< optional driver features ("clip_control"); such a case has no points
+  std::optional<Variation> vary;       ///< what a grader's machine draws anew for every submission
 
   // Of a picture
   Profile profile = Profile::strict;

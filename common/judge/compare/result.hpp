@@ -1,6 +1,7 @@
 // Results of judging as plain data, from one case to a whole submission. Reports are made only from these structs.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,6 +41,7 @@ struct CaseResult {
   std::string name, title;
   Status status = Status::missing;
   double score = 0, max_score = 0;
+  std::string tier = "core";  ///< or "further", "challenge"
 
   std::string asked;                            ///< the required result, in one sentence
   std::string reason;                           ///< what is wrong, in one sentence; for a pass, the margin
@@ -50,6 +52,7 @@ struct CaseResult {
   std::string hint;                             ///< what to try next
   std::string credit;                           ///< how partial credit was computed; empty if all or no points
   std::string command;                          ///< judges only this case
+  std::string other_numbers;                    ///< in words, if it fails only with numbers drawn for the submission
 
   /// Measured numbers by name. For a picture: "over" (pixels), "share" (0..1), "blob" (pixels), "shift" (pixels),
   /// "largest" (in the unit), "flip_mean" (0..1, once drawn), "non_finite" (pixels). For a probe: "inputs", "wrong",
@@ -79,7 +82,7 @@ struct Cause {
   };
   Kind kind = Kind::picture;
   std::vector<std::string> functions;  ///< of a picture: those that it needs and that no probe asks
-  int inputs = 0, wrong = 0;           ///< of a function: over all its probes
+  int inputs = 0, wrong = 0;           ///< of a function: over all its probes; 0 inputs: not to be said
   std::vector<std::size_t> shown;      ///< indices of StepResult::cases
   std::vector<std::size_t> waiting;    ///< other cases that fail because of it; pictures that show it best come first
 };
@@ -106,7 +109,8 @@ struct SubmissionResult {
   double score = 0, max_score = 0;
   std::vector<StepResult> steps;
   Environment environment;
-  std::vector<std::string> notes;  ///< what was skipped in the submission, with the reasons
+  std::optional<std::uint64_t> seed;  ///< of the numbers that were drawn for it; none: nothing was drawn
+  std::vector<std::string> notes;     ///< what was skipped in the submission, with the reasons
 };
 
 }  // namespace atelier::judge

@@ -62,6 +62,7 @@ CaseResult blank(const JudgedCase& c, const Answer& answer, const StepReferences
   result.title = c.title;
   result.status = status_of(answer.ended);
   result.max_score = c.points;
+  result.tier = c.tier;
   result.asked = c.asked;
   result.hint = c.hint;
   result.command = fmt::format("./atelier check {} --case {}", references.step(), c.ask.name);

@@ -24,8 +24,9 @@ Image preview_image(const Evidence& evidence) {
   return side_by_side(row);
 }
 
-void write_preview(const std::filesystem::path& file, const Evidence& evidence) {
-  write_file(file, std::span<const std::byte>(encode_png(preview_image(evidence), {.encoding = Encoding::srgb})));
+void write_preview(const std::filesystem::path& file, const Evidence& evidence, int longest) {
+  const Image picture = shrink_to(preview_image(evidence), longest);
+  write_file(file, std::span<const std::byte>(encode_png(picture, {.encoding = Encoding::srgb})));
 }
 
 }  // namespace atelier::judge

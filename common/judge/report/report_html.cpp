@@ -4,26 +4,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string_view>
 #include <vector>
 
-#include "base/base64.hpp"
 #include "base/file.hpp"
-#include "base/sha256.hpp"
+#include "judge/report/html_page.hpp"
 #include "judge/report/html_step.hpp"
 #include "judge/report/report_assets.hpp"
 #include "judge/report/report_words.hpp"
 
 namespace atelier::judge {
 namespace {
-
-/// The script's hash for the content security policy, which allows only this script to run.
-std::string script_hash() {
-  const std::string digits = sha256(report_script);
-  std::vector<std::byte> bytes;
-  for (std::size_t i = 0; i < digits.size(); i += 2)
-    bytes.push_back(std::byte(std::stoi(digits.substr(i, 2), nullptr, 16)));
-  return "sha256-" + base64(bytes);
-}
 
 bool all_passed(const StepResult& step) {
   return std::size_t(count(step, Status::passed)) == step.cases.size();
@@ -48,7 +39,7 @@ std::string header_html(const SubmissionResult& result) {
 
 std::string notes_html(const std::vector<std::string>& notes) {
   if (notes.empty()) return {};
-  std::string html = "<p class=\"soft\">Skipped in this submission:</p>\n<ul>\n";
+  std::string html = "<p class=\"soft\">Notes on this submission:</p>\n<ul>\n";
   for (const std::string& note : notes) html += "<li>" + escape_markup(note) + "</li>\n";
   return html + "</ul>\n";
 }
@@ -64,30 +55,30 @@ std::string steps_html(const std::vector<StepResult>& steps) {
   return html + "</ul>\n</nav>\n";
 }
 
-std::string footer_html(const Environment& environment) {
-  if (environment.empty()) return {};
-  std::string html = "<footer>\n<details class=\"list\">\n<summary>Environment</summary>\n<dl>\n";
-  for (const auto& [name, value] : environment) {
-    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escape_markup(name), escape_markup(value));
-  }
-  return html + "</dl>\n</details>\n</footer>\n";
-}
+constexpr std::string_view comment_begin = "<aside id=\"comment\">", comment_end = "</aside>";
 
 }  // namespace
 
 std::string html_report(const SubmissionResult& result) {
-  std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; img-src data:; style-src "
-      "'unsafe-inline'; script-src '{}'\">\n<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}: {}</title>\n<style>{}</style>\n</head>\n<body>\n",
-      script_hash(), escape_markup(result.submission), score_text(result.score, result.max_score), report_css);
-  html += header_html(result) + "<main>\n" + notes_html(result.notes) + steps_html(result.steps);
+  std::string body = header_html(result) + "<main>\n" + std::string(comment_begin) + std::string(comment_end) + "\n" +
+                     notes_html(result.notes) + steps_html(result.steps);
   for (const bool passed : {false, true})
     for (const StepResult& step : result.steps)
-      if (all_passed(step) == passed) html += step_html(step, steps_in(result));
-  html += "</main>\n" + footer_html(result.environment);
-  return html + fmt::format("<script>{}</script>\n</body>\n</html>\n", report_script);
+      if (all_passed(step) == passed) body += step_html(step, steps_in(result));
+  body += "</main>\n" + environment_footer(result.environment);
+  return html_page({.title = result.submission + ": " + score_text(result.score, result.max_score),
+                    .style = std::string(report_css),
+                    .body = body,
+                    .script = std::string(report_script)});
+}
+
+std::string with_comment(const std::string& page, const std::string& text) {
+  const std::size_t begin = page.find(comment_begin);
+  if (begin == std::string::npos) return page;
+  const std::size_t inside = begin + comment_begin.size(), end = page.find(comment_end, inside);
+  const std::string html =
+      text.empty() ? "" : "<p class=\"label\">Comment</p>\n<p class=\"comment\">" + escape_markup(text) + "</p>\n";
+  return page.substr(0, inside) + html + page.substr(end);
 }
 
 void write_html_report(const std::filesystem::path& file, const SubmissionResult& result) {

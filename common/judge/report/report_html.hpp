@@ -13,6 +13,10 @@ namespace atelier::judge {
 /// see report_pictures. The ids of cases come from case_anchor.
 std::string html_report(const SubmissionResult& result);
 
+/// A report's page with `text` in place of the comment that it has; empty: without one. A page with no place for a
+/// comment is unchanged.
+std::string with_comment(const std::string& page, const std::string& text);
+
 /// Throws Error naming the file if it cannot be written; the old file is then unchanged.
 void write_html_report(const std::filesystem::path& file, const SubmissionResult& result);
 

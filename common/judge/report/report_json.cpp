@@ -48,6 +48,7 @@ OrderedJson case_json(const CaseResult& result) {
           {"mistake_sentence", text_or_null(result.mistake_sentence)},
           {"credit", result.credit},
           {"command", result.command},
+          {"other_numbers", result.other_numbers},
           {"figures", std::move(figures)},
           {"worst", worst_json(result.worst)},
           {"table", result.table},
@@ -92,9 +93,13 @@ OrderedJson step_json(const StepResult& step) {
 std::string results_json(const SubmissionResult& result) {
   OrderedJson steps = OrderedJson::array();
   for (const StepResult& step : result.steps) steps.push_back(step_json(step));
-  const OrderedJson document = {{"submission", result.submission},       {"score", points(result.score)},
-                                {"max_score", points(result.max_score)}, {"steps", std::move(steps)},
-                                {"environment", result.environment},     {"notes", result.notes}};
+  const OrderedJson document = {{"submission", result.submission},
+                                {"score", points(result.score)},
+                                {"max_score", points(result.max_score)},
+                                {"seed", result.seed ? OrderedJson(*result.seed) : OrderedJson(nullptr)},
+                                {"steps", std::move(steps)},
+                                {"environment", result.environment},
+                                {"notes", result.notes}};
   return document.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -6,7 +6,7 @@
 //          "asked", "mistake_sentence", "credit", "command", "figures": {NAME: NUMBER}, "table", "output",
 //          "worst": null or {"x", "y", "yours": [r,g,b,a], "reference": [r,g,b,a]}}]}],
 //    "environment": {"driver", "context", "compiler", ...},
-//    "notes": [TEXT]}                    what was skipped in the submission: links, files too large, paths with ".."
+//    "notes": [TEXT]}                    what was skipped, found elsewhere or converted in the submission
 //
 // `status` is one of passed, failed, missing, crashed, timeout, build_failed. Points are rounded to millionths, so that
 // sums of thirds compare equal. Non-finite numbers are "nan", "inf", "-inf".

@@ -57,7 +57,7 @@ std::string testsuite(const StepResult& step, const SubmissionResult& result) {
   xml += property("references", step.references);
   for (const auto& [of_step, who] : step.implementations) xml += property("implementation of " + of_step, who);
   for (const auto& [name, value] : result.environment) xml += property(name, value);
-  for (const std::string& note : result.notes) xml += property("passed over", note);
+  for (const std::string& note : result.notes) xml += property("note", note);
   xml += "    </properties>\n";
   for (const CaseResult& c : step.cases) xml += testcase(step, c);
   if (!step.build_log.empty()) xml += "    <system-err>" + escape_markup(step.build_log) + "</system-err>\n";

@@ -204,7 +204,7 @@ std::string terminal_report(const SubmissionResult& result, const TerminalStyle&
   TerminalStyle of_step = style;
   of_step.steps = steps_in(result);
   for (const StepResult& step : result.steps) text += terminal_report(step, of_step) + "\n";
-  for (const std::string& note : result.notes) text += "skipped: " + printable(note) + "\n";
+  for (const std::string& note : result.notes) text += "note: " + printable(note) + "\n";
   int passed = 0;
   std::size_t cases = 0;
   for (const StepResult& step : result.steps) passed += count(step, Status::passed), cases += step.cases.size();

@@ -28,7 +28,7 @@ TerminalStyle terminal_style(int descriptor);
 /// Whether to write OSC 8 hyperlinks: only on a terminal that is not "dumb".
 bool can_link(int descriptor);
 
-/// All steps with their failures, then what was skipped, then the total. All untrusted text is made printable.
+/// All steps with their failures, then the notes, then the total. All untrusted text is made printable.
 std::string terminal_report(const SubmissionResult& result, const TerminalStyle& style);
 
 /// One step: its points, then what to correct, in order: each cause with the case that shows it best and the names of

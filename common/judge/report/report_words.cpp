@@ -117,6 +117,7 @@ std::string headline(const StepResult& step, std::size_t index) {
                         : fmt::format("{} these {} cases: {}", verb, count, status_words(shown.status));
     case Cause::Kind::function: {
       const std::string need = fmt::format("{} failing {} it", count, count == 1 ? "case needs" : "cases need");
+      if (cause.inputs == 0) return fmt::format("{} {}: wrong; {}", verb, cause.functions[0], need);
       return cause.wrong == cause.inputs
                  ? fmt::format("{} {}: wrong for every input; {}", verb, cause.functions[0], need)
                  : fmt::format("{} {}: wrong for {} of {} inputs; {}", verb, cause.functions[0], cause.wrong,

@@ -3,7 +3,7 @@
 #include "base/file.hpp"
 #include "base/process.hpp"
 #include "catch.hpp"
-#include "grade/archive.hpp"
+#include "made_archive.hpp"
 
 using namespace atelier;
 using namespace atelier::grade;
@@ -22,9 +22,9 @@ const PackedFiles files = {{"01-move/move.cpp", {.bytes = "int a;\n"}},
 TEST_CASE("a packed archive is read back") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.zip", make_zip(files));
-  const auto found =
-      read_archive(folder.path() / "a.zip", {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6})
-          .files;
+  const auto found = test::read_members(folder.path() / "a.zip",
+                                        {"01-move/move.cpp", "02-light/light.glsl", "empty", "run"}, {.ratio = 1e6})
+                         .files;
   REQUIRE(found.size() == files.size());
   for (const auto& [path, file] : files) {
     INFO(path);

@@ -283,3 +283,14 @@ TEST_CASE("names of any characters are places, and are shown as they are") {
 TEST_CASE("empty results make a page") {
   CHECK(test::mentions(html_report({}), {"0 of 0 cases passed", "</html>"}));
 }
+
+TEST_CASE("a report has a place for one comment, which a later one replaces") {
+  const std::string page = html_report(test::sample());
+  const std::string once = with_comment(page, "Well <done>\nin time");
+  CHECK(test::mentions(once, {"<p class=\"comment\">Well &lt;done&gt;\nin time</p>"}));
+  CHECK(nesting_error(once) == "");
+  CHECK(with_comment(with_comment(once, "Again </aside>"), "") == page);
+  CHECK(with_comment("<p>another page</p>", "text") == "<p>another page</p>");
+  const std::string hostile = html_report(test::hostile_sample());
+  CHECK(with_comment(with_comment(hostile, test::hostile_text()), "") == hostile);
+}

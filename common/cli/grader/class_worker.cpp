@@ -1,0 +1,270 @@
+#include "cli/grader/class_worker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/folder_lock.hpp"
+#include "base/printable.hpp"
+#include "base/replace_together.hpp"
+#include "base/sha256.hpp"
+#include "base/stopwatch.hpp"
+#include "cli/grader/submission_grader.hpp"
+#include "cli/stop.hpp"
+#include "grade/feedback.hpp"
+#include "grade/grading_rules.hpp"
+#include "grade/mistake_pictures.hpp"
+#include "grade/record.hpp"
+#include "grade/submission.hpp"
+#include "judge/report/report_html.hpp"
+#include "judge/report/report_json.hpp"
+#include "judge/report/report_junit.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+using grade::HandedIn;
+using grade::StepRecord;
+using grade::Submission;
+using grade::SubmissionRecord;
+
+/// A record of its submission, and what its reports are made from.
+struct Graded {
+  SubmissionRecord record;
+  judge::SubmissionResult result;
+};
+
+StepRecord::State state_of(const Submission& submission, const judge::StepResult& step) {
+  using State = StepRecord::State;
+  if (submission.untouched.contains(step.step)) return State::untouched;
+  if (!submission.present.contains(step.step) && !submission.skipped.contains(step.step)) return State::not_handed_in;
+  if (submission.skipped.contains(step.step) || submission.unusable.contains(step.step)) return State::not_built;
+  const auto is_unbuilt = [](const judge::CaseResult& c) { return c.status == judge::Status::build_failed; };
+  return !step.cases.empty() && std::ranges::all_of(step.cases, is_unbuilt) ? State::not_built : State::judged;
+}
+
+/// What a person must look at, since the points alone would be a harsh answer.
+std::vector<std::string> doubts_about(const judge::StepResult& step, StepRecord::State state) {
+  std::vector<std::string> doubts;
+  if (state == StepRecord::State::not_built)
+    doubts.push_back(fmt::format("{} was handed in and could not be built: {}", step.step,
+                                 step.cases.empty() ? "no reason given" : step.cases.front().reason));
+  const auto has = [&](judge::Status status) {
+    return std::ranges::any_of(step.cases, [&](const judge::CaseResult& c) { return c.status == status; });
+  };
+  if (has(judge::Status::timeout)) doubts.push_back(step.step + " ran out of time");
+  return doubts;
+}
+
+class ClassWorker {
+ public:
+  explicit ClassWorker(const GradeWorkerOptions& options)
+      : options_(options),
+        places_{fs::absolute(options.out)},
+        plan_written_(fs::last_write_time(places_.plan())),
+        plan_(read_plan(places_)),
+        folders_(project_folders()),
+        course_(read_course(folders_.step_flags())),
+        rules_(rules_of(plan_, course_)),
+        grader_(folders_, course_, resolve_steps(course_, plan_.steps), settings_of(plan_, rules_)) {}
+
+  void run() {
+    const std::vector<HandedIn>& all = plan_.folder.submissions;
+    for (std::size_t i = std::size_t(options_.index); i < all.size(); i += std::size_t(options_.of)) take(all[i]);
+    for (const HandedIn& handed_in : all) take(handed_in);
+  }
+
+ private:
+  static grade::CourseFile rules_of(const ClassPlan& plan, const std::vector<CourseStep>& course) {
+    std::vector<std::string> names;
+    for (const CourseStep& step : course) names.push_back(step.name);
+    return plan.course_file.empty() ? grade::CourseFile{} : grade::read_course_file(plan.course_file, names);
+  }
+
+  static GraderSettings settings_of(const ClassPlan& plan, const grade::CourseFile& rules) {
+    GraderSettings settings{.context = plan.context,
+                            .workers = 1,
+                            .shuffle = plan.shuffle,
+                            .tier = sandbox::tier_named(plan.sandbox).value_or(sandbox::Tier::none),
+                            .case_limit = {},
+                            .more_cases = plan.cases};
+    if (rules.seconds) settings.case_limit = std::chrono::milliseconds(std::int64_t(*rules.seconds * 1000));
+    return settings;
+  }
+
+  bool is_done(const HandedIn& handed_in) const { return is_graded(places_, handed_in.student.id, plan_written_); }
+
+  void take(const HandedIn& handed_in) {
+    if (stop_.requested()) throw judge::Interrupted();
+    const fs::path folder = places_.student(handed_in.student.id);
+    if (is_done(handed_in)) return;
+    fs::create_directories(folder);
+    const std::optional<FolderLock> lock = FolderLock::try_lock(folder);
+    if (!lock || is_done(handed_in)) return;
+    write_file(places_.at_work(options_.index), handed_in.student.id);
+    try {
+      grade(handed_in);
+    } catch (const Error& error) {
+      record_failure(places_, plan_, handed_in, fmt::format("It was not graded: {}", error.what()));
+    }
+  }
+
+  void grade(const HandedIn& handed_in) {
+    const Stopwatch all;
+    const TemporaryFolder copies("atelier-submission");
+    const fs::path skeletons = is_release() ? folders_.skeletons() : folders_.root / "steps";
+    const bool best = rules_.attempts == grade::Attempts::best && handed_in.sources.size() > 1;
+    std::vector<std::vector<fs::path>> versions = {handed_in.sources};
+    if (best) {
+      versions.clear();
+      for (const fs::path& source : handed_in.sources) versions.push_back({source});
+    }
+    std::vector<Submission> submissions;
+    std::string key = key_of_plan(handed_in);
+    for (const std::vector<fs::path>& sources : versions) {
+      const fs::path copy = copies.path() / std::to_string(submissions.size()) / "files";
+      submissions.push_back(grade::take_submission(grader_.flags(), sources, copy, skeletons));
+      key += hash_of(submissions.back());
+    }
+    key = sha256(key);
+    if (reuse(handed_in, key)) return;
+
+    std::vector<Graded> graded;
+    std::vector<SubmissionRecord> records;
+    for (const Submission& submission : submissions) {
+      graded.push_back(grade_version(handed_in, submission));
+      records.push_back(graded.back().record);
+    }
+    Graded& counts = graded[grade::counting_version(records, rules_)];
+    counts.record.key = key;
+    write(counts, all);
+  }
+
+  /// What decides on the verdict besides the files: cases, solutions, settings, and who handed in when.
+  std::string key_of_plan(const HandedIn& handed_in) const {
+    std::string key = fmt::format("{}\n{}\n{}\n{}\n{}\n", plan_.context, plan_.sandbox, plan_.seed.value_or(0),
+                                  plan_.shuffle.value_or(0), handed_in.student.id);
+    key += fmt::format("{} {} {}\n", handed_in.handed_in.value_or(0), handed_in.late, handed_in.source);
+    key += to_string(rules_.feedback) + to_string(rules_.attempts) + fmt::format(" {}\n", rules_.seconds.value_or(0));
+    for (const auto& [step, hash] : plan_.criteria) key += step + ' ' + hash + '\n';
+    for (const std::vector<std::string>* list : {&handed_in.notes, &handed_in.needs_human})
+      for (const std::string& sentence : *list) key += sentence + '\n';
+    return key;
+  }
+
+  static std::string hash_of(const Submission& submission) {
+    std::string text = fmt::format("{}", grade::seed_of(submission));
+    for (const auto& [step, files] : submission.unusable) text += step + judge::in_words(files) + '\n';
+    for (const auto& [step, why] : submission.skipped) text += step + why + '\n';
+    for (const std::string& note : submission.notes) text += note + '\n';
+    for (const std::string& why : submission.needs_human) text += why + '\n';
+    return sha256(text);
+  }
+
+  /// Keeps an earlier record of the same files and criteria.
+  bool reuse(const HandedIn& handed_in, const std::string& key) const {
+    const fs::path file = places_.record(handed_in.student.id);
+    try {
+      if (!fs::exists(file) || grade::read_record(file).key != key) return false;
+    } catch (const Error&) {
+      return false;  // damaged, or of an older version
+    }
+    fs::last_write_time(file, fs::file_time_type::clock::now());
+    return true;
+  }
+
+  Graded grade_version(const HandedIn& handed_in, const Submission& submission) {
+    Graded graded;
+    SubmissionRecord& record = graded.record;
+    record = {.student = handed_in.student,
+              .source = handed_in.source,
+              .handed_in = handed_in.handed_in,
+              .late = handed_in.late,
+              .needs_human = handed_in.needs_human,
+              .notes = handed_in.notes,
+              .sandbox = plan_.sandbox};
+    const auto append = [](std::vector<std::string>& to, const std::vector<std::string>& from) {
+      to.insert(to.end(), from.begin(), from.end());
+    };
+    append(record.needs_human, submission.needs_human);
+    append(record.notes, submission.notes);
+    record.seed = seed_for(handed_in, submission);
+    graded.result = grader_.grade(submission, record.seed, {.interrupted = [&] { return stop_.requested(); }});
+    graded.result.submission = handed_in.student.name.empty() ? handed_in.student.id : handed_in.student.name;
+    for (const judge::StepResult& step : graded.result.steps) {
+      const StepRecord::State state = state_of(submission, step);
+      record.steps.push_back(grade::record_of(step, state));
+      append(record.needs_human, doubts_about(step, state));
+      for (const auto& [kind, seconds] : step.seconds) record.seconds[kind] += seconds;
+    }
+    return graded;
+  }
+
+  /// With a seed for the class, its students still have numbers of their own.
+  std::uint64_t seed_for(const HandedIn& handed_in, const Submission& submission) const {
+    if (!plan_.seed) return grade::seed_of(submission);
+    const std::string text = fmt::format("{} {}", *plan_.seed, handed_in.student.id);
+    return std::stoull(sha256(text).substr(0, 16), nullptr, 16) & grade::max_seed;
+  }
+
+  void write(Graded& graded, const Stopwatch& all) {
+    const fs::path folder = places_.student(graded.record.student.id);
+    const Stopwatch reporting;
+    judge::SubmissionResult& result = graded.result;
+    grade::write_mistake_pictures(folder, result);
+    grade::limit_feedback(result, rules_.feedback);
+    for (judge::StepResult& step : result.steps)
+      for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
+    replace_together({{folder / "results.json", [&](const fs::path& file) { judge::write_results_json(file, result); }},
+                      {folder / "junit.xml", [&](const fs::path& file) { judge::write_junit_xml(file, result); }},
+                      {folder / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
+    double known = graded.record.seconds["report"] = reporting.seconds();
+    for (const auto& [kind, seconds] : graded.record.seconds)
+      if (kind != "report") known += seconds;
+    graded.record.seconds["other"] = std::max(0.0, all.seconds() - known);
+    write_file(places_.record(graded.record.student.id), to_json_text(graded.record));
+  }
+
+  const GradeWorkerOptions& options_;
+  const StopOnSignal stop_;
+  ClassPlaces places_;
+  fs::file_time_type plan_written_;
+  ClassPlan plan_;
+  ProjectFolders folders_;
+  std::vector<CourseStep> course_;
+  grade::CourseFile rules_;
+  SubmissionGrader grader_;
+};
+
+}  // namespace
+
+bool is_graded(const ClassPlaces& places, const std::string& id, fs::file_time_type plan_written) {
+  std::error_code missing;
+  const fs::file_time_type written = fs::last_write_time(places.record(id), missing);
+  return !missing && written >= plan_written;
+}
+
+void record_failure(const ClassPlaces& places, const ClassPlan& plan, const HandedIn& handed_in,
+                    const std::string& why) {
+  SubmissionRecord record{.student = handed_in.student,
+                          .source = handed_in.source,
+                          .handed_in = handed_in.handed_in,
+                          .late = handed_in.late,
+                          .steps = {},
+                          .needs_human = handed_in.needs_human,
+                          .notes = handed_in.notes,
+                          .sandbox = plan.sandbox};
+  record.needs_human.push_back(shorten(printable(why), 1000));
+  write_file(places.record(handed_in.student.id), to_json_text(record));
+}
+
+int run_grade_worker(const GradeWorkerOptions& options) {
+  ClassWorker(options).run();
+  return exit_ok;
+}
+
+}  // namespace atelier

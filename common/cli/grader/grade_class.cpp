@@ -1,0 +1,180 @@
+#include "cli/grader/grade_class.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/folder_lock.hpp"
+#include "base/parallel.hpp"
+#include "base/printable.hpp"
+#include "base/sha256.hpp"
+#include "base/stopwatch.hpp"
+#include "cli/criteria.hpp"
+#include "cli/grader/class_plan.hpp"
+#include "cli/grader/class_progress.hpp"
+#include "cli/grader/class_worker.hpp"
+#include "cli/grader/engine.hpp"
+#include "cli/layout.hpp"
+#include "cli/stop.hpp"
+#include "grade/class_results.hpp"
+#include "grade/environment.hpp"
+#include "judge/run/build_record.hpp"
+#include "sandbox/tier.hpp"
+
+namespace atelier {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files below a folder, sorted.
+std::vector<fs::path> files_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code missing;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, missing))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Changes whenever anything does that a step is judged with: cases and references, known mistakes, solution, program.
+std::string hash_of_criteria(const ProjectFolders& folders, const CourseStep& step, const fs::path& more_cases) {
+  std::vector<fs::path> files = {folders.mistakes_file(step.name), folders.program(step.name),
+                                 folders.build / "lib" / "libatelier.so",
+                                 folders.build / "lib" / ("libprogram-" + step.name + ".so")};
+  std::vector<std::string> used = step.uses;
+  used.push_back(step.name);
+  std::vector<fs::path> below = {folders.cases() / step.name, folders.steps() / step.name / "given"};
+  if (!more_cases.empty()) below.push_back(more_cases / step.name);
+  for (const std::string& name : used) below.push_back(folders.solutions() / name);
+  for (const fs::path& folder : below) {
+    const std::vector<fs::path> more = files_below(folder);
+    files.insert(files.end(), more.begin(), more.end());
+  }
+  std::string text;
+  for (const fs::path& file : files) text += file.filename().string() + ' ' + judge::fingerprint(file) + '\n';
+  return sha256(text);
+}
+
+/// Which steps a class is graded for: those asked for, or those that course.toml lists, or all.
+std::vector<CourseStep> steps_of(const std::vector<CourseStep>& course, const GradeOptions& options,
+                                 const grade::CourseFile& rules) {
+  std::vector<CourseStep> steps = resolve_steps(course, options.steps);
+  if (options.steps.empty())
+    std::erase_if(steps, [&](const CourseStep& step) { return !rules.counts(step.name); });
+  return steps;
+}
+
+grade::CourseFile rules_of(const GradeOptions& options, const std::vector<CourseStep>& course) {
+  std::vector<std::string> names;
+  for (const CourseStep& step : course) names.push_back(step.name);
+  return options.course.empty() ? grade::CourseFile{} : grade::read_course_file(options.course, names);
+}
+
+std::string name_of_class(const GradeOptions& options) {
+  const std::string name = fs::weakly_canonical(options.submissions.front()).filename().string();
+  return name.empty() ? "class" : printable(name);
+}
+
+ClassPlan make_plan(const GradeOptions& options, const ClassPlaces& places, const ProjectFolders& folders,
+                    const std::vector<CourseStep>& steps, const grade::CourseFile& rules) {
+  ClassPlan plan{.name = name_of_class(options),
+                 .folder = grade::find_submissions(judge::read_step_flags(folders.step_flags()), options.submissions,
+                                                   places.unpacked(), {.pattern = rules.naming}),
+                 .steps = {},
+                 .course_file = options.course.empty() ? fs::path() : fs::absolute(options.course),
+                 .cases = options.cases.empty() ? fs::path() : fs::absolute(options.cases),
+                 .context = options.context,
+                 .sandbox = sandbox::to_string(sandbox::choose_tier(sandbox::find_possible_tiers(), options.sandbox)),
+                 .seed = options.seed,
+                 .shuffle = options.shuffle,
+                 .criteria = {}};
+  for (const CourseStep& step : steps) {
+    plan.steps.push_back(step.name);
+    plan.criteria[step.name] = hash_of_criteria(folders, step, plan.cases);
+  }
+  for (grade::HandedIn& handed_in : plan.folder.submissions)
+    for (fs::path& source : handed_in.sources) source = fs::absolute(source);
+  return plan;
+}
+
+grade::ClassSummary summary_of(const ClassPlan& plan, const ProjectFolders& folders,
+                               const std::vector<CourseStep>& steps, double seconds) {
+  grade::ClassSummary summary{
+      .name = plan.name,
+      .platform = plan.folder.platform,
+      .ignored = plan.folder.ignored,
+      .environment = grade::describe_environment(plan.context, folders.step_flags(), folders.root),
+      .seconds = seconds,
+      .steps = {}};
+  summary.environment["sandbox"] = plan.sandbox;
+  for (const CourseStep& step : steps) {
+    grade::StepSummary of_step{.step = step.name, .title = step.title, .mistakes = {}};
+    if (const fs::path file = folders.mistakes_file(step.name); fs::exists(file))
+      of_step.mistakes = judge::read_mistakes(file, judge::Patches::optional);
+    summary.steps.push_back(std::move(of_step));
+  }
+  return summary;
+}
+
+std::vector<grade::SubmissionRecord> read_records(const ClassPlaces& places, const ClassPlan& plan) {
+  std::vector<grade::SubmissionRecord> records;
+  for (const grade::HandedIn& handed_in : plan.folder.submissions)
+    records.push_back(grade::read_record(places.record(handed_in.student.id)));
+  return records;
+}
+
+void print_summary(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records, double seconds,
+                   std::size_t graded) {
+  std::size_t need_human = 0;
+  for (const grade::SubmissionRecord& record : records) need_human += record.needs_human.empty() ? 0 : 1;
+  fmt::print("{} submissions: {} graded in {}, {} kept from before\n", records.size(), graded, duration_words(seconds),
+             records.size() - graded);
+  if (need_human > 0) fmt::print("{} need{} a person: see {}\n", need_human, need_human == 1 ? "s" : "",
+                                 (places.out / "class.html").string());
+  fmt::print("Gradebook: {}\n", (places.out / "gradebook.csv").string());
+}
+
+}  // namespace
+
+int run_grade_class(const GradeOptions& options) {
+  const StopOnSignal stop;
+  const Stopwatch watch;
+  if (options.engine != "local" && options.engine != "slurm")
+    throw Error(fmt::format("--engine {}: it takes local or slurm", options.engine));
+  const ProjectFolders folders = project_folders();
+  const std::vector<CourseStep> course = read_course(folders.step_flags());
+  const grade::CourseFile rules = rules_of(options, course);
+  const std::vector<CourseStep> steps = steps_of(course, options, rules);
+  const ClassPlaces places{options.out.empty() ? folders.out() / "grade" / name_of_class(options)
+                                               : fs::absolute(options.out)};
+  std::error_code error;
+  fs::create_directories(places.state(), error);
+  if (error)
+    throw Error(fmt::format("--out {}: results cannot be written there ({}); name a writable folder",
+                            places.out.string(), error.message()));
+  const std::optional<FolderLock> lock = FolderLock::try_lock(places.state());
+  if (!lock) throw Error(fmt::format("--out {}: another process grades into this folder", places.out.string()));
+  fs::remove_all(places.unpacked());
+  const ClassPlan plan = make_plan(options, places, folders, steps, rules);
+  write_plan(places, plan);
+
+  {
+    ClassProgress progress(places, plan);
+    const EngineSettings settings{.places = places,
+                                  .workers = options.workers > 0 ? options.workers : worker_threads(),
+                                  .arguments = options.engine_arguments,
+                                  .interrupted = [&] { return stop.requested(); },
+                                  .waiting = [&] { progress.show(); }};
+    options.engine == "slurm" ? run_slurm_engine(settings, plan) : run_local_engine(settings, plan);
+  }
+  const std::vector<grade::SubmissionRecord> records = read_records(places, plan);
+  const double seconds = watch.seconds();
+  grade::write_class_results(places.out, rules, summary_of(plan, folders, steps, seconds), records);
+  print_summary(places, records, seconds, records.size());
+  return exit_ok;
+}
+
+}  // namespace atelier

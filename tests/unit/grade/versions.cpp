@@ -1,0 +1,121 @@
+// Several versions of one student's work, skeletons, and what a person must look at.
+#include "base/file.hpp"
+#include "catch.hpp"
+#include "grade/submission.hpp"
+#include "made_archive.hpp"
+
+using namespace atelier;
+using namespace atelier::grade;
+using atelier::test::three_steps;
+using atelier::test::write_archive;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Takes the entries of a folder in this order.
+Submission take_versions(const fs::path& folder, const std::vector<const char*>& names,
+                         const fs::path& skeletons = {}) {
+  std::vector<fs::path> sources;
+  for (const char* name : names) sources.push_back(folder / name);
+  return take_submission(three_steps, sources, folder / "copy", skeletons);
+}
+
+using Sentences = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("of a step in several versions the last counts, whole") {
+  const TemporaryFolder folder;
+  write_archive(folder.path() / "1.zip", {{"02-light-up/light.cpp", "1"}, {"02-light-up/light.glsl", "1"}});
+  write_archive(folder.path() / "2.tar.gz", {{"02-light-up/light.cpp", "2"}, {"01-move/move.cpp", "2"}});
+  const Submission taken = take_versions(folder.path(), {"1.zip", "2.tar.gz"});
+  CHECK(taken.name == "2");
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "2");
+  CHECK(read_file(taken.folder / "02-light-up/light.cpp") == "2");
+  CHECK_FALSE(fs::exists(taken.folder / "02-light-up/light.glsl"));
+  CHECK(taken.notes == Sentences{"02-light-up is in 1.zip too; the newer in 2.tar.gz counts"});
+  CHECK(taken.needs_human == Sentences{"02-light-up/light.glsl is missing"});
+  CHECK(taken.taken == Sentences{"01-move: move.cpp", "02-light-up: light.cpp"});
+}
+
+TEST_CASE("an empty folder is no newer version") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "1/01-move/move.cpp", std::string_view("1"));
+  fs::create_directories(folder.path() / "2/01-move");
+  const Submission taken = take_versions(folder.path(), {"1", "2"});
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "1");
+  CHECK(taken.needs_human.empty());
+}
+
+TEST_CASE("single files count together, beside archives") {
+  const TemporaryFolder folder;
+  write_archive(folder.path() / "hw.zip", {{"01-move/move.cpp", "zip"}});
+  write_file(folder.path() / "light.cpp", std::string_view("c"));
+  write_file(folder.path() / "light-1.cpp", std::string_view("c2"));
+  write_file(folder.path() / "light.glsl", std::string_view("g"));
+  write_file(folder.path() / "report.pdf", std::string_view("x"));
+  const Submission taken =
+      take_versions(folder.path(), {"light.cpp", "hw.zip", "light.glsl", "light-1.cpp", "report.pdf"});
+  CHECK(taken.present == std::set<std::string>{"01-move", "02-light-up"});
+  CHECK(read_file(taken.folder / "02-light-up/light.cpp") == "c2");
+  CHECK(taken.notes ==
+        Sentences{"light.cpp was handed in twice; light-1.cpp counts", "02-light-up is read from the top"});
+  CHECK(taken.ignored == Sentences{"report.pdf"});
+  CHECK(taken.needs_human.empty());
+}
+
+TEST_CASE("skeletons that nobody has touched are named, up to line ends, marks and blanks at the ends") {
+  const TemporaryFolder folder;
+  const fs::path skeletons = folder.path() / "skeletons", ada = folder.path() / "ada";
+  write_file(skeletons / "01-move/move.cpp", std::string_view("int a;\n\nint b;\n"));
+  write_file(skeletons / "02-light-up/light.cpp", std::string_view("c\n"));
+  write_file(skeletons / "02-light-up/light.glsl", std::string_view("g\n"));
+  write_file(skeletons / "03-cast-shadows/shadows.cpp", std::string_view("s\n"));
+  write_file(ada / "01-move/move.cpp", std::string_view("\xef\xbb\xbfint a;\r\n  \r\nint b;  "));
+  write_file(ada / "02-light-up/light.cpp", std::string_view("c\n"));
+  write_file(ada / "02-light-up/light.glsl", std::string_view("better\n"));
+  fs::create_directories(ada / "03-cast-shadows");
+  CHECK(take_versions(folder.path(), {"ada"}, skeletons).untouched == std::set<std::string>{"01-move"});
+  CHECK(take_versions(folder.path(), {"ada"}).untouched.empty());
+  write_file(ada / "02-light-up/light.glsl", std::string_view("g"));
+  CHECK(take_versions(folder.path(), {"ada"}, skeletons).untouched == std::set<std::string>{"01-move", "02-light-up"});
+  write_file(ada / "02-light-up/choices.txt", std::string_view("own\n"));  // the skeleton has none
+  CHECK(take_versions(folder.path(), {"ada"}, skeletons).untouched == std::set<std::string>{"01-move"});
+}
+
+TEST_CASE("nothing in the sources is an exception") {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "a.rar", std::string_view("Rar!"));
+  write_file(folder.path() / "bomb/01-move/move.cpp", std::string_view("m"));
+  write_archive(folder.path() / "bomb/big.zip", {{"02-light-up/light.cpp", std::string(900'000, 'x')}});
+  fs::create_symlink("/etc", folder.path() / "link");
+  fs::create_directories(folder.path() / "empty");
+  const Submission taken = take_versions(folder.path(), {"a.rar", "nowhere", "link", "empty", "bomb"});
+  CHECK(taken.present == std::set<std::string>{"01-move"});
+  REQUIRE(taken.needs_human.size() == 4);
+  CHECK(taken.needs_human[0].starts_with("a.rar is a RAR archive"));
+  CHECK(taken.needs_human[1] == "nowhere is missing");
+  CHECK(taken.needs_human[2] == "link is a symbolic link, which is not followed");
+  CHECK(taken.needs_human[3] == "empty has none of the steps");
+  REQUIRE(taken.notes.size() == 1);
+  CHECK(taken.notes[0].starts_with("big.zip 02-light-up/light.cpp inflates to more than 200 times"));
+  CHECK(take_versions(folder.path(), {}).present.empty());
+}
+
+TEST_CASE("archives in archives are bounded") {
+  const TemporaryFolder folder;
+  std::string inner = test::archive_bytes("a.zip", {{"01-move/move.cpp", "m"}});
+  for (int level = 0; level < 6; ++level) inner = test::archive_bytes("a.zip", {{"in.zip", inner}});
+  write_file(folder.path() / "deep.zip", inner);
+  const Submission deep = take_versions(folder.path(), {"deep.zip"});
+  CHECK(deep.present.empty());
+  REQUIRE_FALSE(deep.needs_human.empty());
+  CHECK(test::mentions(deep.needs_human[0],
+                       {"deep.zip: in.zip/in.zip/in.zip is not read: archives are read to 3 levels"}));
+
+  for (int i = 0; i < 50; ++i)
+    write_archive(folder.path() / "many" / (std::to_string(100 + i) + ".zip"), {{"notes.txt", "x"}});
+  const Submission many = take_versions(folder.path(), {"many"});
+  CHECK(many.needs_human == Sentences{"many: only the first 32 archives are read"});
+}
