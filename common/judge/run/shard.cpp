@@ -95,6 +95,7 @@ sandbox::Room Shard::room(const std::filesystem::path& job, const std::filesyste
   room.readable.insert(room.readable.end(), settings_.readable.begin(), settings_.readable.end());
   for (const Implementations::Root& root : settings_.implementations.roots())
     room.readable.push_back(root.only.empty() ? root.folder : root.folder / root.only);
+  if (settings_.sandbox) room.limits.processes = settings_.sandbox->limits().processes;  // all have one account
   room.answers = out;
   room.answers_bytes = for_all_else;
   for (const std::size_t index : waiting_) {
