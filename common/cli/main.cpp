@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "base/near_names.hpp"
 #include "cli/commands.hpp"
+#include "cli/grader/class_worker.hpp"
 #include "cli/layout.hpp"
 #include "cli/student/skeleton_update.hpp"
 #include "grade/varied_cases.hpp"
@@ -89,6 +90,7 @@ struct AllOptions {
   DoctorOptions doctor;
   SubmitOptions submit;
   GradeOptions grade;
+  GradeWorkerOptions grade_worker;
   CourseCheckOptions course_check;
   ReleaseOptions release;
   AuditOptions audit;
@@ -197,6 +199,7 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
                    "each processor")
       ->check(CLI::Range(1, 1000));
   command->add_option("--course", grade.course, "Of a class: course.toml, with points, deadlines and columns");
+  command->add_option("--cases", grade.cases, "Folder of further cases, NN-name/cases.json, that no student has seen");
   command->add_option("--engine", grade.engine, "Of a class: where it is graded: local, or slurm (a job array)")
       ->check(CLI::IsMember({"local", "slurm"}))
       ->capture_default_str();
@@ -213,6 +216,12 @@ void describe_for_graders(Interface& interface, AllOptions& options) {
       ->check(CLI::Range(std::uint64_t(0), grade::max_seed));
   add_context(command, grade.context);
   add_json(command, grade.json);
+
+  CLI::App* worker = interface.add("grade-worker", "", options.grade_worker, run_grade_worker);
+  worker->group("");  // hidden: for `grade`, which starts these processes
+  worker->add_option("out", options.grade_worker.out)->required();
+  worker->add_option("--index", options.grade_worker.index)->check(CLI::Range(0, 100'000));
+  worker->add_option("--of", options.grade_worker.of)->check(CLI::Range(1, 100'000));
 
   CLI::App* course = interface.app.add_subcommand("course", "Rules that turn points into grades: course.toml");
   course->require_subcommand(1);
@@ -387,7 +396,8 @@ void refuse_unknown_command(const CLI::App& app, const std::string& named) {
     if (!command->get_group().empty()) known.push_back(command->get_name());
   const std::string of = app.get_parent() == nullptr ? "" : app.get_name() + ": ";
   if (named.empty()) throw Error(fmt::format("{}a command is missing{}", of, suggestion(named, known)));
-  if (std::find(known.begin(), known.end(), named) == known.end())
+  const auto is_named = [&](const CLI::App* command) { return command->get_name() == named; };
+  if (std::ranges::none_of(app.get_subcommands({}), is_named))  // hidden ones too
     throw Error(fmt::format("{}there is no command '{}'{}", of, named, suggestion(named, known)));
 }
 

@@ -39,10 +39,18 @@ fs::path single_archive(const judge::StepFlags& flags, const fs::path& folder, c
   return fs::is_symlink(file) ? fs::path() : file;
 }
 
+/// Of a tar archive all bytes must be inflated for its names: of a student's no more than where it is taken, of a
+/// class's, which is packed archives or source code, in proportion to its size.
 std::vector<std::string> names_in_archive(const fs::path& file) {
-  return read_archive(
-             file, [](const std::string&) { return 0; }, {}, class_limits)
-      .names;
+  constexpr std::uintmax_t ratio_of_sources = 20;
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  ArchiveLimits limits = class_limits;
+  if (!error)
+    limits.skipped_bytes =
+        std::clamp<std::uintmax_t>(ratio_of_sources * size, ArchiveLimits{}.skipped_bytes, class_limits.skipped_bytes);
+  const auto nothing_wanted = [](const std::string&) { return 0; };
+  return read_archive(file, nothing_wanted, {}, limits).names;
 }
 
 /// The class that a folder or an archive is, and where it is.

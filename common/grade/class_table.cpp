@@ -24,7 +24,7 @@ std::string heading_html(const std::string& text, const std::string& below = "",
 std::string step_heading_html(const StepStatistics& step) {
   const std::size_t dash = step.step.find('-');
   const std::string name = dash == std::string::npos ? "" : step.step.substr(dash + 1) + " ";
-  return heading_html(step.step.substr(0, dash), name + "/ " + points_text(step.max_points), step.title);
+  return heading_html(step.step.substr(0, dash), name + "/\u00a0" + points_text(step.max_points), step.title);
 }
 
 /// How full the points are, as a class of the cell.
@@ -99,7 +99,7 @@ std::string class_table_html(const ClassResults& results, const ClassStatistics&
   double most = 0;
   for (const ClassRow& row : results.rows) most = std::max(most, row.grade.max_points);
   for (const StepStatistics& step : statistics.steps) html += step_heading_html(step);
-  html += heading_html("total", "/ " + points_text(most)) + heading_html("late") + heading_html("human");
+  html += heading_html("total", "/\u00a0" + points_text(most)) + heading_html("late") + heading_html("human");
   if (results.commented) html += heading_html("comment");
   html += "</tr>\n</thead>\n<tbody>\n";
   for (const ClassRow& row : results.rows) html += row_html(results, row);

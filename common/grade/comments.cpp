@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 
 #include "base/csv.hpp"
 #include "base/error.hpp"
@@ -21,6 +21,17 @@ const std::vector<std::string> comment_headings = {"id", "points", "comment"};
 
 std::string shown(std::string_view text) {
   return shorten(printable(text), 80);
+}
+
+/// Spreadsheets also write other encodings, whose letters would be lost.
+void require_utf8(std::string_view text, const std::string& where) {
+  int line = 1;
+  while (!text.empty()) {
+    const CodePoint c = first_code_point(text);
+    if (!c.valid) throw Error(fmt::format("{}:{}: is not UTF-8; save the table as \"CSV UTF-8\"", where, line));
+    line += c.value == '\n' ? 1 : 0;
+    text.remove_prefix(c.bytes);
+  }
 }
 
 /// The place of each heading among the columns; none: no such column.
@@ -79,7 +90,9 @@ Comments read_comments(const std::filesystem::path& file) {
   Comments comments;
   if (!std::filesystem::exists(file)) return comments;
   const std::string where = printable(file.string());
-  const std::vector<CsvRow> rows = parse_csv(read_file(file, 16 << 20), where);
+  const std::string text = read_file(file, 16 << 20);
+  require_utf8(text, where);
+  const std::vector<CsvRow> rows = parse_csv(text, where);
   if (rows.empty()) return comments;
   const CommentTable table(rows.front(), where);
   for (auto row = rows.begin() + 1; row != rows.end(); ++row) {

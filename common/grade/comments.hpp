@@ -22,8 +22,8 @@ struct Comment {
 using Comments = std::map<std::string, Comment>;  ///< by a student's id
 
 /// Columns may be in any order; points and comment may be missing or empty. Points may have a decimal comma. Throws
-/// Error "FILE:LINE: ..." naming the value and what is allowed: for unknown or repeated headings, ids that are empty or
-/// appear twice, points that are no number. A missing file has no comments.
+/// Error "FILE:LINE: ..." naming the value and what is allowed: for another encoding than UTF-8, unknown or repeated
+/// headings, ids that are empty or appear twice, points that are no number. A missing file has no comments.
 Comments read_comments(const std::filesystem::path& file);
 
 /// Creates the file with headings only, unless there is one.

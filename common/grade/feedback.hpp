@@ -11,7 +11,7 @@ namespace atelier::grade {
 ///   where  names, titles, status and points of the cases; which functions are wrong or missing; the compiler's
 ///          messages. No pictures, numbers, inputs, expected results, mistakes, hints or printed output: a program
 ///          could print the inputs of hidden cases
-///   score  the points of the cases, numbered instead of named, and of the steps; whether the files compiled, not why
+///   score  points and status of the cases, numbered instead of named; points of the steps
 void limit_feedback(judge::SubmissionResult& result, Feedback level);
 
 }  // namespace atelier::grade

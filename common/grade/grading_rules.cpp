@@ -6,7 +6,7 @@
 namespace atelier::grade {
 namespace {
 
-constexpr std::int64_t day = 24 * 60 * 60;  // seconds
+constexpr std::int64_t seconds_per_day = 24 * 60 * 60;
 
 /// A step's grade before it is rounded.
 struct Exact {
@@ -35,7 +35,7 @@ Exact scaled_points(const StepRecord& step, const CourseFile& course, const Step
 int days_late(std::int64_t handed_in, std::int64_t deadline, const LatePenalty& late) {
   const std::int64_t seconds = handed_in - deadline;
   if (seconds <= std::int64_t(late.grace_minutes) * 60) return 0;
-  return int(std::min<std::int64_t>((seconds + day - 1) / day, 1'000'000));
+  return int(std::min<std::int64_t>((seconds + seconds_per_day - 1) / seconds_per_day, 1'000'000));
 }
 
 /// The share of the points that is taken off, 0..1.

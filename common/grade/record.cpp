@@ -93,8 +93,10 @@ StepRecord read_step(const Json& value, const std::string& where) {
     const RecordReader of_tier(points, reader.place("tiers") + ": " + tier, {"score", "max_score"});
     step.tiers[tier] = {of_tier.number("score", 0, most_points), of_tier.number("max_score", 0, most_points)};
   }
-  for (const auto& [mistake, cases] : reader.table("mistakes").items())
-    step.mistakes[mistake] = strict_json::integer(cases, reader.place("mistakes") + ": " + mistake, 1, 1'000'000);
+  for (const auto& [mistake, cases] : reader.table("mistakes").items()) {
+    const std::string name = strict_json::name(mistake, reader.place("mistakes"));
+    step.mistakes[name] = strict_json::integer(cases, reader.place("mistakes") + ": " + name, 1, 1'000'000);
+  }
   return step;
 }
 

@@ -141,6 +141,29 @@ void StepJudge::use_live_references(const judge::RunSettings& solution) {
   live_ = true;
 }
 
+void StepJudge::add_cases(const fs::path& path, const judge::RunSettings& solution) {
+  CaseFile more = judge::read_case_file(path);
+  const auto refuse = [&](const std::string& what) { throw Error(fmt::format("{}: {}", path.string(), what)); };
+  if (more.step != file_.step) refuse(fmt::format("step: '{}' is not '{}'", more.step, file_.step));
+  std::vector<Case> asks;
+  for (JudgedCase& c : more.cases) {
+    const auto has_name = [&](const JudgedCase& other) { return other.ask.name == c.ask.name; };
+    if (std::ranges::any_of(file_.cases, has_name)) refuse(fmt::format("case '{}': the step has one too", c.ask.name));
+    if (c.choice) refuse(fmt::format("case '{}': a case with a choice cannot be added", c.ask.name));
+    c.hidden = true;
+    c.expected.clear(), c.expected_file.clear(), c.references.clear();  // the solution answers
+    asks.push_back(c.ask);
+  }
+  std::vector<Answer> answers = judge::run_cases(solution, asks);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    const std::string error = answers[i].error;
+    std::optional<judge::CaseReferences> references = as_references(more.cases[i], std::move(answers[i]));
+    if (!references) refuse(fmt::format("case '{}': the solution does not answer it: {}", asks[i].name, error));
+    references_.add(asks[i].name, std::move(*references));
+    file_.cases.push_back(std::move(more.cases[i]));
+  }
+}
+
 VariedCases StepJudge::vary(std::uint64_t seed, const judge::RunSettings& solution) const {
   return vary_cases(file_.cases, references_, seed, solution);
 }

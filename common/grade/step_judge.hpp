@@ -49,6 +49,12 @@ class StepJudge {
   /// of budget cases do not depend on the driver and are kept. Throws Error naming the case that is not drawn.
   void use_live_references(const judge::RunSettings& solution);
 
+  /// Adds a grader's own cases, which no student has seen: a file like `cases` of the same step. The solution answers
+  /// them now, so they need no references; it must use the same driver as `judge` will. Throws Error naming the file
+  /// and the case for an invalid file, a name that a case of the step has, a budget case, and what the solution does
+  /// not answer.
+  void add_cases(const std::filesystem::path& file, const judge::RunSettings& solution);
+
   /// The cases with numbers drawn for one submission, answered by the solution; see vary_cases.
   VariedCases vary(std::uint64_t seed, const judge::RunSettings& solution) const;
 

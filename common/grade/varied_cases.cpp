@@ -15,13 +15,18 @@ using judge::CaseResult;
 using judge::JudgedCase;
 using judge::Status;
 
-bool is_answered(const JudgedCase& c, const Answer& answer) {
-  if (answer.ended != Answer::Ended::normally) return false;
-  if (c.profile == judge::Profile::values) return answer.values && answer.values->size() == c.ask.inputs.size();
-  return answer.pixels.has_value();
-}
-
 }  // namespace
+
+std::optional<CaseReferences> as_references(const JudgedCase& c, Answer answer) {
+  const bool is_probe = c.profile == judge::Profile::values;
+  const bool is_whole =
+      is_probe ? answer.values && answer.values->size() == c.ask.inputs.size() : answer.pixels.has_value();
+  if (answer.ended != Answer::Ended::normally || !is_whole) return std::nullopt;
+  CaseReferences references;
+  if (answer.pixels) references.pictures = {std::move(*answer.pixels)};
+  if (answer.values) references.values = std::move(*answer.values);
+  return references;
+}
 
 std::vector<VariedCase> draw_numbers(const std::vector<JudgedCase>& cases, std::uint64_t seed) {
   std::vector<VariedCase> drawn;
@@ -47,17 +52,13 @@ VariedCases vary_cases(const std::vector<JudgedCase>& cases, const judge::StepRe
   std::vector<Answer> answers = judge::run_cases(solution, asks);
   for (std::size_t i = 0; i < answers.size(); ++i) {
     const VariedCase& c = varied.cases[i];
-    if (!is_answered(c.judged, answers[i]))
+    const std::string error = answers[i].error;
+    std::optional<CaseReferences> references = as_references(c.judged, std::move(answers[i]));
+    if (!references)
       throw Error(fmt::format("the solution of {} does not answer case '{}' with other numbers ({}, seed {}): {}",
-                              stored.step(), cases[c.of].ask.name, c.numbers, seed, answers[i].error));
-    CaseReferences references{.pictures = {},
-                              .values = {},
-                              .skeleton_fraction = stored.of(cases[c.of]).skeleton_fraction,
-                              .needs = {},
-                              .shows = {}};
-    if (answers[i].pixels) references.pictures = {std::move(*answers[i].pixels)};
-    if (answers[i].values) references.values = std::move(*answers[i].values);
-    varied.references.add(c.judged.ask.name, std::move(references));
+                              stored.step(), cases[c.of].ask.name, c.numbers, seed, error));
+    references->skeleton_fraction = stored.of(cases[c.of]).skeleton_fraction;
+    varied.references.add(c.judged.ask.name, std::move(*references));
   }
   return varied;
 }

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "judge/compare/answer.hpp"
 #include "judge/compare/judged_case.hpp"
 #include "judge/compare/references.hpp"
 #include "judge/compare/result.hpp"
@@ -30,6 +32,9 @@ struct VariedCases {
   std::vector<VariedCase> cases;     ///< sorted by `of`
   judge::StepReferences references;  ///< of these cases: no known mistakes, since an atlas shows other numbers
 };
+
+/// The solution's answer as the reference of a case; nothing if it is no whole answer.
+std::optional<judge::CaseReferences> as_references(const judge::JudgedCase& c, judge::Answer answer);
 
 /// Those of `cases` that say what may vary, with numbers drawn by `seed` (judge/compare/variation.hpp).
 std::vector<VariedCase> draw_numbers(const std::vector<judge::JudgedCase>& cases, std::uint64_t seed);

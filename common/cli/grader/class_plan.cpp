@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -26,15 +27,10 @@ std::optional<Value> optional_of(const Json& json) {
 Json json_of(const grade::HandedIn& handed_in) {
   Json sources = Json::array();
   for (const fs::path& source : handed_in.sources) sources.push_back(source.string());
-  return {{"id", handed_in.student.id},
-          {"name", handed_in.student.name},
-          {"identifier", handed_in.student.identifier},
-          {"sources", std::move(sources)},
-          {"source", handed_in.source},
-          {"handed_in", or_null(handed_in.handed_in)},
-          {"late", handed_in.late},
-          {"notes", handed_in.notes},
-          {"needs_human", handed_in.needs_human}};
+  return {
+      {"id", handed_in.student.id},    {"name", handed_in.student.name}, {"identifier", handed_in.student.identifier},
+      {"sources", std::move(sources)}, {"source", handed_in.source},     {"handed_in", or_null(handed_in.handed_in)},
+      {"late", handed_in.late},        {"notes", handed_in.notes},       {"needs_human", handed_in.needs_human}};
 }
 
 grade::HandedIn handed_in_of(const Json& json) {

@@ -27,15 +27,14 @@ struct ClassPlaces {
 };
 
 struct ClassPlan {
-  std::string name;          ///< of the class
+  std::string name;  ///< of the class
   grade::ClassFolder folder;
-  std::vector<std::string> steps;    ///< names, in the order of the course
-  std::filesystem::path course_file; ///< empty: none
-  std::filesystem::path cases;       ///< folder of further cases; empty: none
-  std::string context, sandbox;      ///< as for `grade`; the tier
+  std::vector<std::string> steps;     ///< names, in the order of the course
+  std::filesystem::path course_file;  ///< empty: none
+  std::filesystem::path cases;        ///< folder of further cases; empty: none
+  std::string context, sandbox;       ///< as for `grade`; the tier
   std::optional<std::uint64_t> seed, shuffle;
   std::map<std::string, std::string> criteria;  ///< by step: a hash of all that it is judged with
-
 };
 
 /// Throws Error if it cannot be written.

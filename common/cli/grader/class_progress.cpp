@@ -47,7 +47,8 @@ void ClassProgress::show() {
   for (const grade::HandedIn& handed_in : plan_.folder.submissions)
     if (is_graded(places_, handed_in.student.id, written)) need_human += needs_human(places_, handed_in.student.id);
   last_ = graded;
-  fmt::print(stderr, terminal_ ? "\r{}\x1b[K" : "{}\n", words(graded, need_human));
+  const std::string line = words(graded, need_human);
+  fmt::print(stderr, "{}", terminal_ ? "\r" + line + "\x1b[K" : line + "\n");
   std::fflush(stderr);
 }
 

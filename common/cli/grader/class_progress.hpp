@@ -9,7 +9,8 @@
 
 namespace atelier {
 
-/// On a terminal one line, "112 of 300 graded, 4 need a person, about 41 min left"; otherwise such a line at each tenth.
+/// On a terminal one line, "112 of 300 graded, 4 need a person, about 41 min left"; otherwise such a line at each
+/// tenth.
 class ClassProgress {
  public:
   ClassProgress(const ClassPlaces& places, const ClassPlan& plan);

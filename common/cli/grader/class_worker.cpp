@@ -9,9 +9,9 @@
 #include "base/file.hpp"
 #include "base/folder_lock.hpp"
 #include "base/printable.hpp"
-#include "base/replace_together.hpp"
 #include "base/sha256.hpp"
 #include "base/stopwatch.hpp"
+#include "cli/grader/result_files.hpp"
 #include "cli/grader/submission_grader.hpp"
 #include "cli/stop.hpp"
 #include "grade/feedback.hpp"
@@ -19,9 +19,6 @@
 #include "grade/mistake_pictures.hpp"
 #include "grade/record.hpp"
 #include "grade/submission.hpp"
-#include "judge/report/report_html.hpp"
-#include "judge/report/report_json.hpp"
-#include "judge/report/report_junit.hpp"
 
 namespace atelier {
 namespace {
@@ -90,8 +87,8 @@ class ClassWorker {
                             .workers = 1,
                             .shuffle = plan.shuffle,
                             .tier = sandbox::tier_named(plan.sandbox).value_or(sandbox::Tier::none),
-                            .case_limit = {},
-                            .more_cases = plan.cases};
+                            .more_cases = plan.cases,
+                            .case_limit = {}};
     if (rules.seconds) settings.case_limit = std::chrono::milliseconds(std::int64_t(*rules.seconds * 1000));
     return settings;
   }
@@ -217,11 +214,7 @@ class ClassWorker {
     judge::SubmissionResult& result = graded.result;
     grade::write_mistake_pictures(folder, result);
     grade::limit_feedback(result, rules_.feedback);
-    for (judge::StepResult& step : result.steps)
-      for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
-    replace_together({{folder / "results.json", [&](const fs::path& file) { judge::write_results_json(file, result); }},
-                      {folder / "junit.xml", [&](const fs::path& file) { judge::write_junit_xml(file, result); }},
-                      {folder / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
+    write_result_files(result, folder);
     double known = graded.record.seconds["report"] = reporting.seconds();
     for (const auto& [kind, seconds] : graded.record.seconds)
       if (kind != "report") known += seconds;

@@ -108,7 +108,12 @@ std::vector<const grade::HandedIn*> ungraded(const ClassPlaces& places, const Cl
 }
 
 std::vector<std::string> worker_command(const ClassPlaces& places, const std::string& index, int of) {
-  return {fs::read_symlink("/proc/self/exe").string(), "grade-worker", places.out.string(), "--index", index, "--of",
+  return {fs::read_symlink("/proc/self/exe").string(),
+          "grade-worker",
+          places.out.string(),
+          "--index",
+          index,
+          "--of",
           std::to_string(of)};
 }
 

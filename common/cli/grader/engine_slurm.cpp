@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int most_arrays = 3;
-constexpr int poll_ms = 250;
+constexpr int scheduler_poll_ms = 250;
 constexpr double ask_seconds = 5;  ///< between two questions to the scheduler, which serves everybody
 
 std::string slurm(std::vector<std::string> arguments) {
@@ -34,15 +34,21 @@ fs::path write_script(const ClassPlaces& places, int tasks) {
   for (const std::string& word : worker_command(places, "$SLURM_ARRAY_TASK_ID", tasks))
     command += ' ' + (word.starts_with('$') ? '"' + word + '"' : shell_word(word));
   const fs::path script = places.state() / "slurm.sh";
-  write_file(script, "#!/bin/sh\n# One of the processes that grade the class; made by ./atelier grade.\n" + command + "\n");
+  write_file(script,
+             "#!/bin/sh\n# One of the processes that grade the class; made by ./atelier grade.\n" + command + "\n");
   return script;
 }
 
 /// The number of the array.
 std::string submit(const EngineSettings& settings, int tasks) {
-  std::vector<std::string> arguments = {"sbatch", "--parsable", "--requeue", "--open-mode=append",
-                                        "--job-name=atelier", fmt::format("--array=0-{}", tasks - 1),
-                                        fmt::format("--output={}", (settings.places.state() / "slurm-%a.log").string())};
+  std::vector<std::string> arguments = {
+      "sbatch",
+      "--parsable",
+      "--requeue",
+      "--open-mode=append",
+      "--job-name=atelier",
+      fmt::format("--array=0-{}", tasks - 1),
+      fmt::format("--output={}", (settings.places.state() / "slurm-%a.log").string())};
   std::istringstream more(settings.arguments);
   for (std::string argument; more >> argument;) arguments.push_back(argument);
   arguments.push_back(write_script(settings.places, tasks).string());
@@ -65,7 +71,7 @@ void wait_for(const EngineSettings& settings, const ClassPlan& plan, const std::
       throw judge::Interrupted();
     }
     if (settings.waiting) settings.waiting();
-    ::poll(nullptr, 0, poll_ms);
+    ::poll(nullptr, 0, scheduler_poll_ms);
     if (since_asked.seconds() < ask_seconds) continue;
     since_asked = {};
     if (!is_queued(array)) return;
@@ -96,8 +102,9 @@ void run_slurm_engine(const EngineSettings& settings, const ClassPlan& plan) {
                               settings.places.state().string(), last_words(settings.places)));
   }
   for (const grade::HandedIn* handed_in : ungraded(settings.places, plan))
-    record_failure(settings.places, plan, *handed_in,
-                   fmt::format("{} job arrays have not graded it: see {}", most_arrays, settings.places.state().string()));
+    record_failure(
+        settings.places, plan, *handed_in,
+        fmt::format("{} job arrays have not graded it: see {}", most_arrays, settings.places.state().string()));
 }
 
 }  // namespace atelier

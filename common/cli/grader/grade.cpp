@@ -10,18 +10,16 @@
 #include "base/file.hpp"
 #include "base/file_url.hpp"
 #include "base/printable.hpp"
-#include "base/replace_together.hpp"
 #include "cli/commands.hpp"
 #include "cli/grader/grade_class.hpp"
+#include "cli/grader/result_files.hpp"
 #include "cli/grader/submission_grader.hpp"
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
 #include "cli/stop.hpp"
 #include "grade/class_folder.hpp"
 #include "grade/submission.hpp"
-#include "judge/report/report_html.hpp"
 #include "judge/report/report_json.hpp"
-#include "judge/report/report_junit.hpp"
 #include "judge/report/report_terminal.hpp"
 
 namespace atelier {
@@ -60,14 +58,6 @@ std::vector<CourseStep> steps_to_grade(const std::vector<CourseStep>& course, co
   return steps;
 }
 
-void write_results(judge::SubmissionResult& result, const fs::path& out) {
-  for (StepResult& step : result.steps)
-    for (judge::CaseResult& c : step.cases) judge::draw_flip(c);
-  replace_together({{out / "results.json", [&](const fs::path& file) { judge::write_results_json(file, result); }},
-                    {out / "junit.xml", [&](const fs::path& file) { judge::write_junit_xml(file, result); }},
-                    {out / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
-}
-
 /// Options that only a class has.
 void refuse_options_of_classes(const GradeOptions& options) {
   const auto refuse = [](const char* option) {
@@ -94,9 +84,13 @@ int run_grade(const GradeOptions& options) {
 
   const sandbox::Tier tier = sandbox::choose_tier(sandbox::find_possible_tiers(), options.sandbox);
   const std::vector<CourseStep> steps = steps_to_grade(course, submission, options.steps);
-  const SubmissionGrader grader(
-      folders, course, steps,
-      {.context = options.context, .workers = options.workers > 0 ? std::min(options.workers, 64) : 2, .shuffle = options.shuffle, .tier = tier});
+  const SubmissionGrader grader(folders, course, steps,
+                                {.context = options.context,
+                                 .workers = options.workers > 0 ? std::min(options.workers, 64) : 2,
+                                 .shuffle = options.shuffle,
+                                 .tier = tier,
+                                 .more_cases = options.cases,
+                                 .case_limit = {}});
   prepare_results_folder(out);
 
   Progress progress(steps.size());
@@ -112,7 +106,7 @@ int run_grade(const GradeOptions& options) {
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;
   try {
-    write_results(result, out);
+    write_result_files(result, out);
   } catch (const std::exception&) {
     not_written = std::current_exception();
   }

@@ -62,8 +62,7 @@ std::string hash_of_criteria(const ProjectFolders& folders, const CourseStep& st
 std::vector<CourseStep> steps_of(const std::vector<CourseStep>& course, const GradeOptions& options,
                                  const grade::CourseFile& rules) {
   std::vector<CourseStep> steps = resolve_steps(course, options.steps);
-  if (options.steps.empty())
-    std::erase_if(steps, [&](const CourseStep& step) { return !rules.counts(step.name); });
+  if (options.steps.empty()) std::erase_if(steps, [&](const CourseStep& step) { return !rules.counts(step.name); });
   return steps;
 }
 
@@ -132,8 +131,9 @@ void print_summary(const ClassPlaces& places, const std::vector<grade::Submissio
   for (const grade::SubmissionRecord& record : records) need_human += record.needs_human.empty() ? 0 : 1;
   fmt::print("{} submissions: {} graded in {}, {} kept from before\n", records.size(), graded, duration_words(seconds),
              records.size() - graded);
-  if (need_human > 0) fmt::print("{} need{} a person: see {}\n", need_human, need_human == 1 ? "s" : "",
-                                 (places.out / "class.html").string());
+  if (need_human > 0)
+    fmt::print("{} need{} a person: see {}\n", need_human, need_human == 1 ? "s" : "",
+               (places.out / "class.html").string());
   fmt::print("Gradebook: {}\n", (places.out / "gradebook.csv").string());
 }
 

@@ -39,6 +39,14 @@ sandbox::Limits limits_of(int workers) {
   return limits;
 }
 
+/// The solution's run beside a student's: trusted, with a cache of its own.
+judge::RunSettings as_solution(judge::RunSettings settings) {
+  settings.implementations = *settings.solution;
+  settings.sandbox = nullptr;
+  settings.shader_cache = settings.shader_cache.parent_path() / "shaders of the solution";
+  return settings;
+}
+
 }  // namespace
 
 SubmissionGrader::SubmissionGrader(const ProjectFolders& folders, const std::vector<CourseStep>& course,
@@ -60,6 +68,22 @@ SubmissionGrader::SubmissionGrader(const ProjectFolders& folders, const std::vec
     judges_.back().require_references();
   }
   publish_earlier_steps();
+  if (!settings_.more_cases.empty()) add_more_cases();
+}
+
+void SubmissionGrader::add_more_cases() {
+  const auto file_of = [&](const CourseStep& step) { return settings_.more_cases / step.name / "cases.json"; };
+  if (std::ranges::none_of(course_, [&](const CourseStep& step) { return fs::exists(file_of(step)); }))
+    throw Error(fmt::format("--cases {}: has no cases; they are in NN-name/cases.json, such as {}",
+                            settings_.more_cases.string(), file_of(course_.front()).string()));
+  for (std::size_t i = 0; i < steps_.size(); ++i) {
+    if (!fs::exists(file_of(steps_[i]))) continue;
+    if (!is_there(folders_, steps_[i].name, Owner::solution))
+      throw Error(fmt::format("--cases: the solution of {} must answer them, and is not here", steps_[i].name));
+    const TemporaryFolder work("atelier-cases");
+    const judge::RunSettings settings = run_settings({}, steps_[i], work.path());
+    judges_[i].add_cases(file_of(steps_[i]), as_solution(settings));
+  }
 }
 
 void SubmissionGrader::publish_earlier_steps() {
@@ -75,7 +99,7 @@ void SubmissionGrader::publish_earlier_steps() {
 Implementations SubmissionGrader::public_search_path(const CourseStep& step, const grade::Code& code) const {
   std::vector<Implementations::Root> roots = {{folders_.steps(), step.name + "/given"}};
   for (const fs::path& folder : {code.libraries, code.sources})
-    if (fs::is_directory(folder / step.name)) roots.push_back({folder, step.name});
+    if (!folder.empty() && fs::is_directory(folder / step.name)) roots.push_back({folder, step.name});
   for (const std::string& name : step.uses) {
     roots.push_back({published_.path(), name});
     if (fs::is_directory(folders_.steps() / name / "given")) roots.push_back({folders_.steps(), name + "/given"});
@@ -153,11 +177,7 @@ StepResult SubmissionGrader::grade_built(const CourseStep& step, const grade::St
   const Stopwatch drawing;
   std::optional<grade::VariedCases> varied;
   if (settings.solution) {
-    judge::RunSettings solution = settings;
-    solution.implementations = *settings.solution;
-    solution.sandbox = nullptr;
-    solution.shader_cache = settings.shader_cache.parent_path() / "shaders of the solution";
-    varied = judge.vary(seed, solution);
+    varied = judge.vary(seed, as_solution(settings));
   }
   const double seconds = drawing.seconds();
   std::size_t judged = 0;

@@ -24,6 +24,7 @@ struct GraderSettings {
   int workers = 2;                       ///< programs that draw at the same time, 1..64
   std::optional<std::uint64_t> shuffle;  ///< seed of a random order of the cases; none: as listed
   sandbox::Tier tier = sandbox::Tier::none;
+  std::filesystem::path more_cases;                     ///< folder of a grader's own NN-name/cases.json; empty: none
   std::optional<std::chrono::milliseconds> case_limit;  ///< wall-clock time of one case; none: the default
 };
 
@@ -61,6 +62,7 @@ class SubmissionGrader {
                                   const std::filesystem::path& work) const;
   Implementations public_search_path(const CourseStep& step, const grade::Code& code) const;
   void publish_earlier_steps();
+  void add_more_cases();
 
   ProjectFolders folders_;
   std::vector<CourseStep> course_, steps_;

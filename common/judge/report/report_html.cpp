@@ -73,12 +73,11 @@ std::string html_report(const SubmissionResult& result) {
 }
 
 std::string with_comment(const std::string& page, const std::string& text) {
-  const std::size_t begin = page.find(comment_begin);
-  if (begin == std::string::npos) return page;
-  const std::size_t inside = begin + comment_begin.size(), end = page.find(comment_end, inside);
+  const std::size_t begin = page.find(comment_begin), end = page.find(comment_end, begin);
+  if (begin == std::string::npos || end == std::string::npos) return page;
   const std::string html =
       text.empty() ? "" : "<p class=\"label\">Comment</p>\n<p class=\"comment\">" + escape_markup(text) + "</p>\n";
-  return page.substr(0, inside) + html + page.substr(end);
+  return page.substr(0, begin + comment_begin.size()) + html + page.substr(end);
 }
 
 void write_html_report(const std::filesystem::path& file, const SubmissionResult& result) {

@@ -376,6 +376,19 @@ TEST_CASE("a student's folder cannot pass for several students") {
   CHECK(ids_of(delivery.find()) == Ids{"ada", "mallory"});
 }
 
+TEST_CASE("an archive that inflates without end is no class") {
+  const TemporaryFolder folder;
+  const std::string zeros(std::size_t(100) << 20, '\0');
+  write_archive(folder.path() / "bomb.tar.gz", {{"ada/01-move/move.cpp", "m"},
+                                                {"bob/1.bin", zeros},
+                                                {"bob/2.bin", zeros},
+                                                {"bob/3.bin", zeros},
+                                                {"bob/01-move/move.cpp", "m"}});
+  CHECK_FALSE(is_class(three_steps, {folder.path() / "bomb.tar.gz"}));
+  CHECK(mentions(error_of([&] { find_submissions(three_steps, {folder.path() / "bomb.tar.gz"}, folder.path() / "u"); }),
+                 {"bomb.tar.gz: inflates to more than 268435456 bytes"}));
+}
+
 TEST_CASE("thousands of submissions are found") {
   const TemporaryFolder folder;
   constexpr int count = 3000;

@@ -23,8 +23,16 @@ constexpr MadeUpStep made_up_steps[] = {
      "It looks as if the mirrored direction were compared with the eye: the highlight is about half as wide.", 41},
     {"03-shadow-mapping", "Shadow mapping", "no-bias", "The depth bias is missing",
      "It looks as if nothing were subtracted from the depth: lit surfaces have stripes.", 30},
+    {"04-point-shadows", "Shadows of point lights", "one-face", "Only one face of the cube", "One side is lit.", 12.5},
+    {"05-normal-mapping", "Normal mapping", "left-handed", "The frame is left-handed", "Bumps are dents.", 135},
+    {"06-parallax-mapping", "Parallax mapping", "no-secant", "The last step is missing", "There are steps.", 113},
+    {"07-stencil-portals", "Portals", "no-clip", "Nothing is clipped at the exit", "A wall is in the way.", 140},
+    {"08-post-processing", "After the scene", "twice-encoded", "Colours are encoded twice", "All is too light.", 105},
     {"09-dithering", "Dithering", "wrong-row", "Errors go to the row above",
-     "It looks as if the error were added to pixels that are finished.", 25}};
+     "It looks as if the error were added to pixels that are finished.", 25},
+    {"10-artstyles", "Art styles", "no-outline", "Outlines are missing", "Edges are lost.", 117},
+    {"11-skin", "Skin", "no-blur", "Light is not spread", "Skin looks like stone.", 1},
+    {"12-gallery", "The gallery", "stale", "Pictures are not recorded again", "A painting shows the past.", 114}};
 
 /// Numbers that look random and are always the same: a linear congruential generator (Knuth).
 class Numbers {

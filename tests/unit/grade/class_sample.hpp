@@ -15,7 +15,7 @@ grade::StepRecord step_record(const std::string& step, double score, double max_
 /// Ada Lovelace with two steps: 7.5 of 10, and 12 of 20 with a mistake.
 grade::SubmissionRecord ada();
 
-/// `count` students with four steps: with all states, mistakes, lateness, times and reasons for a human; always the
+/// `count` students with twelve steps: with all states, mistakes, lateness, times and reasons for a human; always the
 /// same.
 std::vector<grade::SubmissionRecord> made_up_class(int count);
 

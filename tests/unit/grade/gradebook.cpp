@@ -150,6 +150,8 @@ TEST_CASE("comments and points of people are read, and their mistakes named") {
       {"id,points\nada,1e9\n", {":2: points: '1e9'"}},
       {"id,points\n,1\n", {":2: id is empty"}},
       {"id,points\nada,1\n\nada,2\n", {":4: id 'ada' appears twice, first in line 2"}},
+      {"id,comment\nada,M\xFCller\n", {":2: is not UTF-8", "CSV UTF-8"}},
+      {"\xFF\xFEi", {":1: is not UTF-8"}},
       {"id,comment\nada,well, well\n", {":2: has 3 fields, and there are 2 headings"}},
       {"id,comment\nada,\"open\n", {":2: a quote is not closed"}},
       {"id,comment\nada,\"a\" b\n", {":2: text follows a closed quote"}},

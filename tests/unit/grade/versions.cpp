@@ -1,6 +1,7 @@
 // Several versions of one student's work, skeletons, and what a person must look at.
 #include "base/file.hpp"
 #include "catch.hpp"
+#include "grade/class_folder.hpp"
 #include "grade/submission.hpp"
 #include "made_archive.hpp"
 
@@ -101,6 +102,26 @@ TEST_CASE("nothing in the sources is an exception") {
   REQUIRE(taken.notes.size() == 1);
   CHECK(taken.notes[0].starts_with("big.zip 02-light-up/light.cpp inflates to more than 200 times"));
   CHECK(take_versions(folder.path(), {}).present.empty());
+}
+
+TEST_CASE("a damaged archive gives the right files or a sentence, never wrong files and no exception") {
+  const TemporaryFolder folder;
+  const std::string inner = test::archive_bytes("a.zip", {{"02-light-up/light.cpp", "c"}, {"light.glsl", "g"}});
+  for (const char* name : {"a.zip", "a.tar.gz", "a.7z"}) {
+    const std::string whole = test::archive_bytes(name, {{"hw/01-move/move.cpp", "m"}, {"hw/in.zip", inner}});
+    for (std::size_t i = 0; i < whole.size(); i += 3) {
+      INFO(name << ", byte " << i);
+      std::string broken = whole;
+      broken[i] = char(broken[i] ^ 0x55);
+      write_file(folder.path() / name, std::string_view(broken));
+      const Submission taken = take_versions(folder.path(), {name});
+      const fs::path move = taken.folder / "01-move/move.cpp";
+      if (fs::exists(move)) CHECK(read_file(move) == "m");
+      if (taken.present.empty()) CHECK_FALSE(taken.needs_human.empty());
+      fs::remove_all(taken.folder);
+      CHECK_NOTHROW(is_class(three_steps, {folder.path() / name}));
+    }
+  }
 }
 
 TEST_CASE("archives in archives are bounded") {
