@@ -288,7 +288,7 @@ TEST_CASE("The kernel refuses a confined program what it does not need") {
   const Finished tried = run_in(Sandbox(tier), {"kernel"});
   INFO(tried.output);
   for (const char* call : {"ptrace", "unshare", "clone", "mount", "io_uring", "keyctl", "process_vm_readv",
-                           "userfaultfd", "bpf", "perf_event_open", "shmget"})
+                           "userfaultfd", "inotify_init1", "inotify_add_watch", "bpf", "perf_event_open", "shmget"})
     CHECK(mentions(tried.output, {fmt::format("{}: EPERM\n", call)}));
   CHECK(mentions(tried.output, {"memfd_create: done\n"}));
 }

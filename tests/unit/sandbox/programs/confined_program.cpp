@@ -106,6 +106,8 @@ void call_the_kernel(const Arguments&) {
   call("keyctl", SYS_keyctl, 0, -3, 1);
   call("process_vm_readv", SYS_process_vm_readv, ::getppid(), bytes, 0, bytes, 0, 0);
   call("userfaultfd", SYS_userfaultfd, 1);
+  call("inotify_init1", SYS_inotify_init1, 0);
+  call("inotify_add_watch", SYS_inotify_add_watch, 0, "/tmp", 1);
   call("bpf", SYS_bpf, 0, bytes, sizeof bytes);
   call("perf_event_open", SYS_perf_event_open, bytes, 0, -1, -1, 0);
   call("shmget", SYS_shmget, 0, 4096, 0600);
