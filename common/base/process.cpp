@@ -64,10 +64,12 @@ Finished run_process(const Command& command) {
   ::fcntl(pipe.read.get(), F_SETFL, O_NONBLOCK);
   const auto begin = Clock::now();
   const int output = pipe.write.get();
-  const pid_t child = launch({.arguments = command.arguments,
-                              .folder = command.folder,
-                              .environment = command.environment,
-                              .descriptors = {{output, 1}, {output, 2}}});
+  Launch wanted{.arguments = command.arguments,
+                .folder = command.folder,
+                .environment = command.environment,
+                .descriptors = command.descriptors};
+  wanted.descriptors.insert(wanted.descriptors.end(), {{output, 1}, {output, 2}});
+  const pid_t child = launch(wanted);
   pipe.write.reset();
 
   Finished result;

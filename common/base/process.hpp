@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/launch.hpp"
+
 namespace atelier {
 
 struct Command {
@@ -17,6 +19,7 @@ struct Command {
   std::optional<std::map<std::string, std::string>> environment;  ///< the whole environment; none: the parent's
   std::chrono::milliseconds time_limit{600'000};                  ///< wall-clock; then SIGKILL to the process group
   std::size_t output_limit = 1 << 20;  ///< bytes of stdout and stderr to keep (the rest is read and discarded)
+  std::vector<PassedDescriptor> descriptors = {};  ///< what it inherits besides
 };
 
 struct Finished {

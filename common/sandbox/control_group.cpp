@@ -88,33 +88,35 @@ std::unique_ptr<ControlGroup> ControlGroup::create(const std::string& name, std:
 }
 
 ControlGroup::~ControlGroup() {
-  using namespace std::chrono_literals;
-  for (int round = 0; round < 200; ++round) {  // processes that were killed take a moment to be gone
-    kill_all();
-    bool all_gone = true;
-    for (const fs::path& folder : folders_) all_gone &= ::rmdir(folder.c_str()) == 0 || !fs::exists(folder);
-    if (all_gone) return;
-    std::this_thread::sleep_for(5ms);
-  }
+  kill_all();
+  for (const fs::path& folder : folders_) ::rmdir(folder.c_str());
 }
 
 void ControlGroup::kill_all() const {
-  for (const fs::path& folder : folders_) {
-    std::istringstream numbers(text_of(folder / "cgroup.procs"));
-    for (pid_t process = 0; numbers >> process;)
-      if (process > 1 && process != ::getpid()) ::kill(process, SIGKILL);
+  for (int round = 0; round < 200; ++round) {  // processes that were killed take a moment to be gone
+    bool all_gone = true;
+    for (const fs::path& folder : folders_) {
+      std::istringstream numbers(text_of(folder / "cgroup.procs"));
+      for (pid_t process = 0; numbers >> process;) {
+        all_gone = false;
+        if (process > 1 && process != ::getpid()) ::kill(process, SIGKILL);
+      }
+    }
+    if (all_gone) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 }
 
-bool ControlGroup::ran_out_of_memory() const {
+int ControlGroup::memory_kills() const {
+  int kills = 0;
   for (const fs::path& folder : folders_)
     for (const char* file : {"memory.oom_control", "memory.events"}) {
       std::istringstream lines(text_of(folder / file));
       std::string key;
-      for (long long count = 0; lines >> key >> count;)
-        if (key == "oom_kill" && count > 0) return true;
+      for (int count = 0; lines >> key >> count;)
+        if (key == "oom_kill") kills += count;
     }
-  return false;
+  return kills;
 }
 
 }  // namespace atelier::sandbox

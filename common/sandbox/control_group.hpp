@@ -22,8 +22,8 @@ class ControlGroup {
   /// The folders into whose file cgroup.procs a process writes its number to be in the group.
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
-  void kill_all() const;
-  bool ran_out_of_memory() const;  ///< whether the system has killed a process of the group for want of memory
+  void kill_all() const;     ///< and waits until they are gone, at most a second
+  int memory_kills() const;  ///< how many processes of the group the system has killed for want of memory
 
  private:
   ControlGroup() = default;

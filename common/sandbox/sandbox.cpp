@@ -7,13 +7,16 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cstring>
 #include <set>
+#include <thread>
 
 #include "base/error.hpp"
 #include "base/printable.hpp"
@@ -25,8 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* bubblewrap = "/usr/bin/bwrap";
-constexpr int socket_number = 4;  ///< of the socket for the folder of answers, in the program
-constexpr int answers_limit_ms = 10'000;
+constexpr int socket_number = 4;  ///< of atelier-confine's reports
+constexpr int start_limit_ms = 10'000;
 
 /// Accounts that no distribution gives to people or services (Debian Policy 9.2.2), and that containers have too. Each
 /// sandbox takes one.
@@ -54,17 +57,16 @@ std::set<uid_t> busy_accounts() {
   return busy;
 }
 
-/// An account for one sandbox: of no running program, and not taken by this process before, as far as there are any.
-uid_t free_account() {
-  static std::atomic<uid_t> taken{0};
-  constexpr uid_t count = last_account - first_account + 1;
-  const std::set<uid_t> busy = busy_accounts();
-  for (uid_t tried = 0; tried < count; ++tried) {
-    const uid_t account = first_account + (uid_t(::getpid()) * 16 + taken++) % count;
-    if (!busy.contains(account)) return account;
-  }
-  throw Error(
-      fmt::format("the sandbox has no free account: programs run under all of {}..{}", first_account, last_account));
+/// Holds an account against every other grader: the kernel gives the name of a socket to one process, until that closes
+/// it. None if another one has it.
+Descriptor reserve(uid_t account) {
+  const std::string name = fmt::format("atelier-account-{}", account);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::memcpy(address.sun_path + 1, name.data(), name.size());  // behind NUL: no file
+  Descriptor held(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const auto size = socklen_t(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  return ::bind(held.get(), reinterpret_cast<const sockaddr*>(&address), size) == 0 ? std::move(held) : Descriptor();
 }
 
 /// Folders of the system that a program needs to be loaded and to draw, or a compiler to compile.
@@ -116,7 +118,7 @@ Sandbox::Sandbox(Tier tier, const Limits& limits) : tier_(tier), limits_(limits)
     throw Error("the program bwrap is not there: install the package bubblewrap");
   if (tier == Tier::account && ::geteuid() != 0) throw Error("only root can start programs under another account");
   if (::geteuid() != 0) return;
-  account_ = free_account();
+  take_account();
   if (tier == Tier::account) {
     scratch_.emplace("atelier-scratch");
     give(scratch_->held().create_folder("tmp").path());
@@ -124,15 +126,35 @@ Sandbox::Sandbox(Tier tier, const Limits& limits) : tier_(tier), limits_(limits)
   group_ = ControlGroup::create(fmt::format("atelier-{}-{}", ::getpid(), *account_), limits.memory, limits.processes);
 }
 
-Sandbox::~Sandbox() {
-  kill_account();
+/// An account under which nothing runs, and that no other sandbox has.
+void Sandbox::take_account() {
+  static std::atomic<uid_t> taken{0};  // another one each time
+  constexpr uid_t count = last_account - first_account + 1;
+  const std::set<uid_t> busy = busy_accounts();
+  for (uid_t tried = 0; tried < count; ++tried) {
+    const uid_t account = first_account + (uid_t(::getpid()) * 16 + taken++) % count;
+    if (busy.contains(account) || !(reservation_ = reserve(account))) continue;
+    account_ = account;
+    return;
+  }
+  throw Error(fmt::format("the sandbox has no free account: all of {}..{} are in use", first_account, last_account));
 }
 
-std::vector<std::string> Sandbox::inner_arguments(const Room& room, int socket) const {
+Sandbox::~Sandbox() {
+  kill_all();
+}
+
+/// In a file system of its own, the folder of answers is there alone.
+bool Sandbox::sends_answers(const Room& room) const {
+  return tier_ == Tier::full && !room.answers.empty();
+}
+
+std::vector<std::string> Sandbox::inner_arguments(const Room& room) const {
   std::vector<std::string> arguments = {confine_program().string()};
   if (account_) arguments.insert(arguments.end(), {"--account", std::to_string(*account_)});
   add_limits(arguments, room.limits);
-  if (socket >= 0) arguments.insert(arguments.end(), {"--send", std::to_string(socket_number), room.answers.string()});
+  arguments.insert(arguments.end(), {"--report", std::to_string(socket_number)});
+  if (sends_answers(room)) arguments.insert(arguments.end(), {"--send", room.answers.string()});
   if (tier_ == Tier::account) {
     std::vector<fs::path> readable = system_paths(), writable = room.writable;
     for (const char* path : {"/lib", "/lib32", "/lib64", "/libx32", "/bin", "/dev/null", "/dev/zero", "/dev/urandom"})
@@ -184,32 +206,35 @@ std::vector<std::string> Sandbox::outer_arguments(const Launch& wanted, const Ro
 Confined Sandbox::confine(const Launch& wanted, const Room& room) const {
   Confined confined;
   confined.launch = wanted;
-  ++running_;
-  if (tier_ == Tier::none) return confined;
-  if (tier_ == Tier::full && !room.answers.empty()) {
-    int ends[2];
-    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-      throw Error("the sandbox cannot create a socket: " + system_reason());
-    confined.ours = Descriptor(ends[0]), confined.theirs = Descriptor(ends[1]);
-    confined.launch.descriptors.push_back({confined.theirs.get(), socket_number});
+  if (tier_ == Tier::none) {
+    ++running_;
+    return confined;
   }
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    throw Error("the sandbox cannot create a socket: " + system_reason());
+  confined.ours = Descriptor(ends[0]), confined.theirs = Descriptor(ends[1]);
+  confined.launch.descriptors.push_back({confined.theirs.get(), socket_number});
+  confined.sends_answers = sends_answers(room);
   std::map<std::string, std::string>& environment =
       confined.launch.environment.emplace(wanted.environment.value_or(std::map<std::string, std::string>()));
   environment["HOME"] = environment["TMPDIR"] = scratch_ ? (scratch_->path() / "tmp").string() : "/tmp";
   std::vector<std::string> arguments = outer_arguments(wanted, room);
-  const std::vector<std::string> inner = inner_arguments(room, confined.theirs.get());
+  const std::vector<std::string> inner = inner_arguments(room);
   arguments.insert(arguments.end(), inner.begin(), inner.end());
   arguments.push_back(find_program(wanted.arguments.at(0)).string());
   arguments.insert(arguments.end(), wanted.arguments.begin() + 1, wanted.arguments.end());
   confined.launch.arguments = std::move(arguments);
   if (tier_ == Tier::full) confined.launch.folder.clear();  // bubblewrap goes there
+  ++running_;
   return confined;
 }
 
-Descriptor Confined::receive_answers() {
+bool Confined::receive_answers(Descriptor& answers) {
   theirs.reset();
+  if (!sends_answers) return true;
   pollfd wait{ours.get(), POLLIN, 0};
-  const bool came = ::poll(&wait, 1, answers_limit_ms) == 1;
+  if (::poll(&wait, 1, start_limit_ms) != 1) return false;
   char byte = 0;
   iovec bytes{&byte, 1};
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {};
@@ -218,15 +243,21 @@ Descriptor Confined::receive_answers() {
   message.msg_iovlen = 1;
   message.msg_control = control;
   message.msg_controllen = sizeof control;
-  if (came && ::recvmsg(ours.get(), &message, MSG_CMSG_CLOEXEC) == 1)
-    for (cmsghdr* header = CMSG_FIRSTHDR(&message); header; header = CMSG_NXTHDR(&message, header))
-      if (header->cmsg_level == SOL_SOCKET && header->cmsg_type == SCM_RIGHTS) {
-        int folder = -1;
-        std::memcpy(&folder, CMSG_DATA(header), sizeof folder);
-        ours.reset();
-        return Descriptor(folder);
-      }
-  throw Error("the sandbox did not start a program: its folder of answers did not come");
+  if (::recvmsg(ours.get(), &message, MSG_CMSG_CLOEXEC) != 1) return false;
+  ++reports;
+  for (cmsghdr* header = CMSG_FIRSTHDR(&message); header; header = CMSG_NXTHDR(&message, header))
+    if (header->cmsg_level == SOL_SOCKET && header->cmsg_type == SCM_RIGHTS) {
+      int folder = -1;
+      std::memcpy(&folder, CMSG_DATA(header), sizeof folder);
+      answers = Descriptor(folder);
+    }
+  return bool(answers);
+}
+
+bool Confined::was_started() {
+  if (!ours) return true;
+  for (char byte = 0; reports < 2 && ::recv(ours.get(), &byte, 1, MSG_DONTWAIT) == 1;) ++reports;
+  return reports == 1;
 }
 
 void Sandbox::let_through(const fs::path& folder) const {
@@ -242,25 +273,38 @@ void Sandbox::give(const fs::path& folder) const {
 }
 
 void Sandbox::program_ended() const {
-  if (--running_ == 0) kill_account();
+  if (--running_ == 0) kill_all();
 }
 
-/// Namespaces end with their first process; without them a process may have left its group.
+/// Namespaces end with their first process; without them a process may have left its group. Those that are still about
+/// to end count as processes of the next program.
+void Sandbox::kill_all() const {
+  if (tier_ == Tier::account) kill_account();
+  if (group_) group_->kill_all();
+}
+
 void Sandbox::kill_account() const {
-  if (tier_ != Tier::account || !account_) return;
-  // Only a process of the same account may, and -1 means all of them.
-  const pid_t killer = ::fork();
-  if (killer == 0) {
-    if (::setresuid(*account_, *account_, *account_) == 0) ::kill(-1, SIGKILL);
-    ::_exit(0);
-  }
-  if (killer > 0)
-    while (::waitpid(killer, nullptr, 0) < 0 && errno == EINTR) {
+  for (int round = 0; round < 250; ++round) {  // half a second: init may be slow to reap an orphan
+    // Only a process of the same account may, and -1 means all of them.
+    const pid_t killer = ::fork();
+    if (killer == 0) {
+      if (::setresuid(*account_, *account_, *account_) == 0) ::kill(-1, SIGKILL);
+      ::_exit(0);
     }
+    while (killer > 0 && ::waitpid(killer, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    if (!busy_accounts().contains(*account_)) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
 }
 
-bool Sandbox::ran_out_of_memory() const {
-  return group_ && group_->ran_out_of_memory();
+int Sandbox::memory_kills() const {
+  return group_ ? group_->memory_kills() : 0;
+}
+
+std::string in_words(std::size_t bytes) {
+  constexpr std::size_t giga = std::size_t(1) << 30;
+  return bytes % giga == 0 ? fmt::format("{} GiB", bytes / giga) : fmt::format("{} MiB", bytes >> 20);
 }
 
 int signal_of_status(int status) {
@@ -268,9 +312,8 @@ int signal_of_status(int status) {
 }
 
 std::string failure_of_sandbox(const std::string& output) {
-  for (const char* program : {"bwrap: ", "atelier-confine: "})
-    if (output.starts_with(program)) return shorten(printable(output.substr(0, output.find('\n'))), 300);
-  return "";
+  const std::string line = shorten(printable(output.substr(0, output.find('\n'))), 300);
+  return line.empty() ? "it says nothing" : line;
 }
 
 }  // namespace atelier::sandbox

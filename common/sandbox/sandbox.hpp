@@ -47,13 +47,19 @@ struct Room {
   Limits limits;
 };
 
-/// A command that starts a program confined. Keep it until the program has started.
+/// A command that starts a program confined. Keep it until the program has ended.
 struct Confined {
   Launch launch;
-  Descriptor ours, theirs;  ///< ends of the socket through which the folder of answers comes; none without namespaces
+  Descriptor ours, theirs;  ///< ends of the socket on which atelier-confine reports; none in the tier none
+  bool sends_answers = false;
+  int reports = 0;  ///< received: one if the program was started, none or two if it was not
 
-  /// The folder of answers, once the program has started. Throws Error if it does not come within 10 s.
-  Descriptor receive_answers();
+  /// Waits until the program starts, and returns the folder of answers; none if it has none of its own. False if the
+  /// program was not started within 10 s.
+  bool receive_answers(Descriptor& answers);
+
+  /// Once it has ended: whether the program itself was started. What it prints cannot change that.
+  bool was_started();
 };
 
 /// One submission's sandbox. Its programs share an account and a control group, and no other sandbox has them.
@@ -77,21 +83,29 @@ class Sandbox {
   /// Lets confined programs write into this folder, and go through the folder around it.
   void give(const std::filesystem::path& folder) const;
 
-  /// To be called when a confined program has ended. Without namespaces, kills what it has left behind, once no other
-  /// program of this sandbox runs.
+  /// To be called when a confined program has ended. Once none of this sandbox runs, kills what they have left behind
+  /// and waits until it is gone.
   void program_ended() const;
 
-  /// Whether programs were killed for want of memory.
-  bool ran_out_of_memory() const;
+  /// Whether none of its programs runs: if one was not started then, it is not for what another one does.
+  bool is_idle() const { return running_ == 0; }
+
+  /// How many processes the system has killed so far because all together needed more memory than limits().memory.
+  int memory_kills() const;
+  const Limits& limits() const { return limits_; }
 
  private:
-  std::vector<std::string> inner_arguments(const Room& room, int socket) const;
+  void take_account();
+  bool sends_answers(const Room& room) const;
+  std::vector<std::string> inner_arguments(const Room& room) const;
   std::vector<std::string> outer_arguments(const Launch& wanted, const Room& room) const;
+  void kill_all() const;
   void kill_account() const;
 
   Tier tier_;
   Limits limits_;
   std::optional<uid_t> account_;  ///< none: that of the grader, which is not root
+  Descriptor reservation_;        ///< of the account
   std::unique_ptr<ControlGroup> group_;
   std::optional<TemporaryFolder> scratch_;  ///< in place of /tmp, where there is no file system of its own
   mutable std::atomic<int> running_{0};
@@ -100,7 +114,10 @@ class Sandbox {
 /// bubblewrap reports a signal as a shell does, as status 128 + number. Returns the signal, or 0.
 int signal_of_status(int status);
 
-/// The sentence with which the sandbox itself failed, where a program's output begins with it; otherwise empty.
+/// "4 GiB", "512 MiB"
+std::string in_words(std::size_t bytes);
+
+/// Why a program was not started, from the output in its place.
 std::string failure_of_sandbox(const std::string& output);
 
 }  // namespace atelier::sandbox

@@ -13,12 +13,11 @@ namespace {
 std::string try_tier(Tier tier) {
   try {
     const Sandbox sandbox(tier);
-    const Confined confined = sandbox.confine({.arguments = {"/usr/bin/true"}, .environment = {{}}}, {});
-    const Finished done = run_process({.arguments = confined.launch.arguments, .environment = {{}}});
-    if (done.ok()) return "";
-    const std::string words = failure_of_sandbox(done.output);
-    return words.empty() ? fmt::format("a program that does nothing ends with status {} in it", done.exit_status)
-                         : words;
+    Confined confined = sandbox.confine({.arguments = {"/usr/bin/true"}, .environment = {{}}}, {});
+    const Finished done = run_process(
+        {.arguments = confined.launch.arguments, .environment = {{}}, .descriptors = confined.launch.descriptors});
+    if (!confined.was_started()) return failure_of_sandbox(done.output);
+    return done.ok() ? "" : fmt::format("a program that does nothing ends with status {} in it", done.exit_status);
   } catch (const Error& error) {
     return error.what();
   }

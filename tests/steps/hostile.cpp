@@ -78,7 +78,9 @@ void check_hostile(bool fast) {
   if (tier_in(alone) == "none" && !std::getenv("ATELIER_HOSTILE_SANDBOX"))
     SKIP_TEST("this machine has no sandbox: ./atelier doctor says why");
 
-  const Finished finished = canary.grade({students.string(), "--out", out.string()});
+  std::vector<std::string> arguments = {students.string(), "--out", out.string()};
+  for (const std::string& step : steps) arguments.insert(arguments.end(), {"--step", step});
+  const Finished finished = canary.grade(arguments);
   INFO(finished.output);
   REQUIRE(!finished.timed_out);
   REQUIRE(finished.exit_status == 0);

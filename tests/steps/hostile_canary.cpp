@@ -121,7 +121,7 @@ std::string project_state() {
 
 }  // namespace
 
-std::vector<std::pair<fs::path, std::string>> files_below(const fs::path& folder) {
+std::vector<std::pair<fs::path, std::string>> files_with_bytes(const fs::path& folder) {
   std::vector<std::pair<fs::path, std::string>> files;
   if (!fs::exists(folder)) return files;
   for (const auto& entry : fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied))

@@ -49,6 +49,6 @@ class Canary {
 };
 
 /// All regular files below a folder, with their bytes.
-std::vector<std::pair<std::filesystem::path, std::string>> files_below(const std::filesystem::path& folder);
+std::vector<std::pair<std::filesystem::path, std::string>> files_with_bytes(const std::filesystem::path& folder);
 
 }  // namespace atelier::test

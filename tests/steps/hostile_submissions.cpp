@@ -73,11 +73,12 @@ std::map<std::string, std::string> files_of(const std::string& step, bool skelet
   return files;
 }
 
-/// Whether no case of the step has been built.
+/// Whether the step was not built, for what the compiler said or because a file is no text.
 bool not_built(const json& step) {
-  return std::all_of(step["cases"].begin(), step["cases"].end(),
-                     [](const json& c) { return c["status"] == "build_failed" || c["status"] == "missing"; }) &&
-         step["build_log"] != "";
+  return std::all_of(step["cases"].begin(), step["cases"].end(), [&](const json& c) {
+    const bool unusable = c["reason"].get<std::string>().find("all files of the step are needed") != std::string::npos;
+    return c["status"] == "build_failed" || (c["status"] == "missing" && (unusable || step["build_log"] != ""));
+  });
 }
 
 }  // namespace
@@ -121,7 +122,10 @@ void write_honest_submission(const std::string& step, const fs::path& folder, co
 std::vector<std::string> found_in_results(const HostileSubmission& submission, const json& results,
                                           const fs::path& files, std::vector<std::string> forbidden) {
   std::vector<std::string> found;
-  const json& step = results.at("steps").at(0);
+  const auto is_its_own = [&](const json& step) { return step["step"] == submission.step; };
+  const auto own = std::find_if(results.at("steps").begin(), results.at("steps").end(), is_its_own);
+  if (own == results.at("steps").end()) return {"there is no result for its step"};
+  const json& step = *own;
   const double score = step["score"], most = submission.at_most * step["max_score"].get<double>();
   if (score > most + 1e-6) found.push_back(fmt::format("it has got {} points, and may have {}", score, most));
 
@@ -136,7 +140,7 @@ std::vector<std::string> found_in_results(const HostileSubmission& submission, c
 
   forbidden.push_back(hostile_success);
   forbidden.insert(forbidden.end(), submission.never.begin(), submission.never.end());
-  for (const auto& [file, bytes] : files_below(files)) {
+  for (const auto& [file, bytes] : files_with_bytes(files)) {
     for (const std::string& word : forbidden)
       if (const auto at = bytes.find(word); at != bytes.npos)
         found.push_back(

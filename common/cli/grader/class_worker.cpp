@@ -124,7 +124,8 @@ class ClassWorker {
     std::vector<Submission> submissions;
     std::string key = key_of_plan(handed_in);
     for (const std::vector<fs::path>& sources : versions) {
-      const fs::path copy = copies.path() / std::to_string(submissions.size()) / "files";
+      // Directly in the folder that sandboxes are let through.
+      const fs::path copy = copies.path() / fmt::format("files-{}", submissions.size());
       submissions.push_back(grade::take_submission(grader_.flags(), sources, copy, skeletons));
       key += hash_of(submissions.back());
     }

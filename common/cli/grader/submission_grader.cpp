@@ -30,6 +30,15 @@ void require_earlier_solutions(const ProjectFolders& folders, const std::vector<
                         step.name, earlier));
 }
 
+/// Two programs at a time share the usual limits; more get as much each.
+sandbox::Limits limits_of(int workers) {
+  sandbox::Limits limits;
+  const int pairs = std::max(1, (workers + 1) / 2);
+  limits.memory *= std::size_t(pairs);
+  limits.processes *= pairs;
+  return limits;
+}
+
 /// The solution's run beside a student's: trusted.
 judge::RunSettings as_solution(judge::RunSettings settings) {
   settings.implementations = *settings.solution;
@@ -127,7 +136,7 @@ StepResult SubmissionGrader::grade_step(const grade::Submission& submission, con
     return judge.judge_unbuilt(judge::not_built(found->second));
 
   const TemporaryFolder work("atelier-grade");  // the student's libraries
-  const sandbox::Sandbox sandbox(settings_.tier);
+  const sandbox::Sandbox sandbox(settings_.tier, limits_of(settings_.workers));
   sandbox.let_through(work.path());
   sandbox.let_through(submission.folder.parent_path());
   const grade::Code code{.sources = submission.folder, .libraries = work.path() / "libraries"};

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file.hpp"
+#include "base/printable.hpp"
 #include "base/strict_json.hpp"
 
 namespace atelier::judge {
@@ -52,7 +53,7 @@ OrderedJson case_json(const CaseResult& result) {
           {"figures", std::move(figures)},
           {"worst", worst_json(result.worst)},
           {"table", result.table},
-          {"output", result.output}};
+          {"output", printable(result.output, Layout::keep_lines)}};
 }
 
 OrderedJson causes_json(const StepResult& step) {

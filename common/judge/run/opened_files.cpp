@@ -67,12 +67,16 @@ Preprocessed preprocess(const StepFlags& flags, const std::vector<std::string>& 
   Preprocessed result;
   result.ok = run_tool(command, folder, source, tools, room_of_tools(options, objects), result.log);
   if (!result.ok) return result;
+  std::error_code error;
+  if (fs::file_size(text, error) > preprocessed_limit || error)
+    return {.ok = false,
+            .log = fmt::format("{}: grows to more than {} MiB when it is preprocessed\n", source,
+                               preprocessed_limit >> 20)};
   for (const std::string& file : read_dependencies(dependencies)) result.opened.insert(canonical(folder, file));
   std::istringstream lines(read_file(text, preprocessed_limit));
   for (std::string line; std::getline(lines, line);)
     if (const std::string name = named_by(line); !name.empty()) result.named.insert(canonical(folder, name));
-  std::error_code ignored;
-  fs::remove(text, ignored);
+  fs::remove(text, error);
   return result;
 }
 

@@ -23,17 +23,28 @@ std::map<std::string, std::string> compiler_environment(bool confined) {
   return environment;
 }
 
-Finished run_confined(const Launch& wanted, const ToolSettings& settings, const sandbox::Room& room) {
-  const sandbox::Confined confined = settings.sandbox->confine(wanted, room);
+/// What the sandbox adds to the words of a tool goes to `log`.
+Finished run_confined(const Launch& wanted, const std::string& task, const ToolSettings& settings,
+                      const sandbox::Room& room, std::string& log) {
+  const sandbox::Sandbox& sandbox = *settings.sandbox;
+  const bool alone = sandbox.is_idle();
+  const int kills = sandbox.memory_kills();
+  sandbox::Confined confined = sandbox.confine(wanted, room);
   Finished finished = run_process({.arguments = confined.launch.arguments,
                                    .folder = confined.launch.folder,
                                    .environment = confined.launch.environment,
                                    .time_limit = settings.time_limit,
-                                   .output_limit = log_limit});
-  settings.sandbox->program_ended();
-  if (const std::string failure = sandbox::failure_of_sandbox(finished.output); !failure.empty())
-    throw Error("the sandbox cannot run the compiler: " + failure);
-  if ((finished.signal = sandbox::signal_of_status(finished.exit_status)) != 0) finished.exit_status = -1;
+                                   .output_limit = log_limit,
+                                   .descriptors = confined.launch.descriptors});
+  sandbox.program_ended();
+  const bool out_of_memory = sandbox.memory_kills() > kills;
+  if (!confined.was_started() && alone && !out_of_memory)
+    throw Error("the sandbox did not start the compiler: " + sandbox::failure_of_sandbox(finished.output));
+  if (out_of_memory)
+    log = fmt::format("{}: the compiler needed more than {} of memory\n", task,
+                      sandbox::in_words(sandbox.limits().memory));
+  if (finished.signal == 0) finished.signal = sandbox::signal_of_status(finished.exit_status);
+  if (finished.signal != 0) finished.exit_status = -1;
   return finished;
 }
 
@@ -59,13 +70,14 @@ bool run_tool(std::vector<std::string> arguments, const std::filesystem::path& f
                       .environment = compiler_environment(confined),
                       .descriptors = {}};
   room.readable.push_back(folder);
-  const Finished finished = confined ? run_confined(wanted, settings, room)
+  log.clear();
+  const Finished finished = confined ? run_confined(wanted, task, settings, room, log)
                                      : run_process({.arguments = wanted.arguments,
                                                     .folder = wanted.folder,
                                                     .environment = wanted.environment,
                                                     .time_limit = settings.time_limit,
                                                     .output_limit = log_limit});
-  log = printable(finished.output, Layout::keep_lines);
+  log += printable(finished.output, Layout::keep_lines);
   if (finished.timed_out)
     log = fmt::format("{}: took longer than {} s and was killed\n", task, settings.time_limit.count() / 1000.0) + log;
   else if (finished.signal != 0)

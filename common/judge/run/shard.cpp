@@ -1,6 +1,7 @@
 #include "judge/run/shard.hpp"
 
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -21,12 +22,6 @@ using Ended = Answer::Ended;
 constexpr milliseconds exit_limit{2'000};
 constexpr std::size_t max_tail = 1024;  ///< bytes: an error message is one line
 
-/// "the program was ended by a signal: segmentation fault (SIGSEGV)"
-std::string in_words(const Exit& exit) {
-  return exit.signal != 0 ? fmt::format("the program was ended by a signal: {}", signal_name(exit.signal))
-                          : fmt::format("the program exited with status {}", exit.status);
-}
-
 /// The last lines that a program printed: the last one that begins with "error: ", and the very last one.
 struct LastWords {
   std::string error, line;
@@ -46,7 +41,7 @@ LastWords last_words(const std::string& output) {
 
 /// Reads a program's answer to a case. Removes the picture afterwards, so that many large pictures do not fill the
 /// disk.
-Answer read_answer(const Case& c, const HeldFolder& folder, bool counted) {
+Answer read_answer(const Case& c, const HeldFolder& folder, bool counted, const sandbox::Sandbox* sandbox) {
   Answer answer;
   const std::string pixels = c.name + ".pixels";
   try {
@@ -60,6 +55,8 @@ Answer read_answer(const Case& c, const HeldFolder& folder, bool counted) {
     answer.error = read_case_error(folder, c.name + ".exception");
     if (!answer.error.empty()) {
       answer.ended = Ended::crashed;
+      if (sandbox && answer.error.find("std::bad_alloc") != std::string::npos)
+        answer.error += fmt::format(" (a program gets {} of memory)", sandbox::in_words(sandbox->limits().memory));
       return answer;
     }
     answer.error = read_case_error(folder, c.name + ".error");
@@ -98,6 +95,7 @@ sandbox::Room Shard::room(const std::filesystem::path& job, const std::filesyste
   room.readable.insert(room.readable.end(), settings_.readable.begin(), settings_.readable.end());
   for (const Implementations::Root& root : settings_.implementations.roots())
     room.readable.push_back(root.only.empty() ? root.folder : root.folder / root.only);
+  if (settings_.sandbox) room.limits.processes = settings_.sandbox->limits().processes;  // all have one account
   room.answers = out;
   room.answers_bytes = for_all_else;
   for (const std::size_t index : waiting_) {
@@ -132,7 +130,11 @@ void Shard::start() {
   if (!settings_.context.empty() && !settings_.truth)
     arguments.insert(arguments.end(), {"--context", settings_.context});
   const Launch start{.arguments = std::move(arguments), .folder = {}, .environment = program_environment(settings_)};
-  if (settings_.sandbox) settings_.sandbox->give(out.path());
+  if (settings_.sandbox) {
+    settings_.sandbox->give(out.path());
+    alone_ = settings_.sandbox->is_idle();
+    memory_kills_ = settings_.sandbox->memory_kills();
+  }
   worker_ = std::make_unique<Worker>(start, settings_.sandbox, room(job, out.path()));
   if (Descriptor answers = worker_->take_answers())
     out_ = HeldFolder::received(out.path(), std::move(answers));
@@ -149,7 +151,9 @@ void Shard::advance() {
   // Check for the end before reading, so that everything written before the end is read.
   const std::optional<Exit> exit = worker_->ended();
   read_pipes();
-  if (exit) {
+  if (exit && !worker_->was_started()) {
+    handle_not_started();
+  } else if (exit) {
     const std::string words = in_words(*exit);
     if (exit->signal != 0) {
       // After an uncaught exception the last line says what it was. Use tail_, not output_, which lacks what was
@@ -201,7 +205,7 @@ void Shard::begin(const std::string& name) {
 
 void Shard::end(const std::string& name) {
   if (!running_ || cases_[*running_].name != name) return;
-  Answer answer = read_answer(cases_[*running_], *out_, settings_.count);
+  Answer answer = read_answer(cases_[*running_], *out_, settings_.count, settings_.sandbox);
   answer.output = std::exchange(output_, {});
   answer.seconds = std::chrono::duration<double>(Clock::now() - since_).count();
   deliver_(*std::exchange(running_, {}), std::move(answer));
@@ -226,6 +230,24 @@ void Shard::handle_end(Ended how, const std::string& in_case, const std::string&
     for (; !waiting_.empty(); waiting_.pop_front()) give_up(waiting_.front(), before_any);
   if (waiting_.empty()) return;
   time_out_limit_reached() ? skip_waiting() : start();
+}
+
+/// Handles a sandbox that did not start the program. Where another one of the submission ran, that one may be why: it
+/// has taken all processes, for example.
+void Shard::handle_not_started() {
+  const std::string why =
+      "the sandbox did not start the program: " + sandbox::failure_of_sandbox(std::exchange(output_, {}));
+  if (alone_ && settings_.sandbox->memory_kills() == memory_kills_) throw Error(why);
+  handle_end(Ended::missing, why, why);
+}
+
+/// "the program was ended by a signal: segmentation fault (SIGSEGV)"
+std::string Shard::in_words(const Exit& exit) const {
+  if (exit.signal == SIGKILL && settings_.sandbox && settings_.sandbox->memory_kills() > memory_kills_)
+    return fmt::format("the program was ended, since it needed more than {} of memory",
+                       sandbox::in_words(settings_.sandbox->limits().memory));
+  return exit.signal != 0 ? fmt::format("the program was ended by a signal: {}", signal_name(exit.signal))
+                          : fmt::format("the program exited with status {}", exit.status);
 }
 
 /// Answers all waiting cases without asking the program.

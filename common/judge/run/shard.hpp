@@ -40,6 +40,8 @@ class Shard {
   void begin(const std::string& name);
   void end(const std::string& name);
   void handle_end(Answer::Ended how, const std::string& in_case, const std::string& before_any);
+  void handle_not_started();
+  std::string in_words(const Exit& exit) const;
   bool time_out_limit_reached() const { return settings_.max_time_outs > 0 && time_outs_ >= settings_.max_time_outs; }
   void skip_waiting();
 
@@ -53,6 +55,8 @@ class Shard {
   Deliver deliver_;
   std::unique_ptr<Worker> worker_;
   bool case_begun_ = false;  ///< whether this process has begun a case
+  bool alone_ = true;        ///< whether it was started while none of the submission's ran
+  int memory_kills_ = 0;     ///< in the sandbox, before it was started
   std::string output_;       ///< printed since the last "end" line
   std::string tail_;         ///< the last bytes that this process has printed
   Clock::time_point since_, deadline_;

@@ -38,15 +38,14 @@ Worker::Worker(Launch wanted, const sandbox::Sandbox* sandbox, const sandbox::Ro
   Pipe progress = make_pipe(), output = make_pipe();
   const int printed = output.write.get();
   wanted.descriptors = {{printed, 1}, {printed, 2}, {progress.write.get(), progress_descriptor}};
-  sandbox::Confined confined;
   if (sandbox)
-    confined = sandbox->confine(wanted, room);
+    confined_ = sandbox->confine(wanted, room);
   else
-    confined.launch = std::move(wanted);
-  child_ = launch(confined.launch);
+    confined_.launch = std::move(wanted);
+  child_ = launch(confined_.launch);
   progress_ = std::move(progress.read), output_ = std::move(output.read);
-  if (confined.ours) answers_ = confined.receive_answers();
   for (const Descriptor* pipe : {&progress_, &output_}) ::fcntl(pipe->get(), F_SETFL, O_NONBLOCK);
+  if (!confined_.receive_answers(answers_)) kill();
 }
 
 Worker::~Worker() {

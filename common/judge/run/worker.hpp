@@ -27,7 +27,8 @@ struct Exit {
 class Worker {
  public:
   /// Starts it with a pipe for its output and one for its progress; its stdin is empty. It runs confined if there is a
-  /// sandbox, in this room. Throws Error naming the program and the system's reason if it cannot be started.
+  /// sandbox, in this room; if that does not start it, the worker has ended. Throws Error naming the program and the
+  /// system's reason if it cannot be started.
   explicit Worker(Launch wanted, const sandbox::Sandbox* sandbox = nullptr, const sandbox::Room& room = {});
   ~Worker();  ///< kills the program and all that it has started, and waits for it
   Worker(const Worker&) = delete;
@@ -48,6 +49,9 @@ class Worker {
   /// Kills the program and all that it has started at once, and waits for it.
   void kill();
 
+  /// Once it has ended: whether the sandbox has started the program at all.
+  bool was_started() { return confined_.was_started(); }
+
   /// The folder of answers, where it exists only in the sandbox; at most once.
   Descriptor take_answers() { return std::move(answers_); }
 
@@ -56,6 +60,7 @@ class Worker {
   std::optional<Exit> exit_;
   Descriptor progress_, output_, answers_;
   const sandbox::Sandbox* sandbox_;
+  sandbox::Confined confined_;
   std::string line_;  ///< the beginning of an incomplete line
 };
 

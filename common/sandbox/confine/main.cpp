@@ -5,7 +5,8 @@
 //   --cgroup DIR        enter a control group
 //   --account N         become the user and the group N, in no other group
 //   --memory BYTES      of address space, --file BYTES of one file, --processes N, --seconds N of processor time
-//   --send N DIR        send the folder DIR through the socket N, and close it
+//   --report N          send one byte through the socket N just before PROGRAM starts, and another if it does not
+//   --send DIR          with the first byte, send the folder DIR
 //   --read PATH         with --write PATH: no other file or folder can be reached (Landlock)
 //   --filter            refuse dangerous system calls (system_calls.hpp)
 //
@@ -82,8 +83,9 @@ Options parse(char** argument) {
       options.limits.push_back({RLIMIT_NPROC, number(next())});
     } else if (option == "--seconds") {
       options.limits.push_back({RLIMIT_CPU, number(next())});
-    } else if (option == "--send") {
+    } else if (option == "--report") {
       options.socket = int(number(next()));
+    } else if (option == "--send") {
       options.sent = next();
     } else if (option == "--read") {
       options.readable.push_back(next());
@@ -108,26 +110,30 @@ void enter(const std::string& group) {
   ::close(procs);
 }
 
-/// A descriptor travels as "ancillary data" of a message (unix(7), SCM_RIGHTS).
-void send_folder(int socket, const std::string& path) {
+int open_folder(const std::string& path) {
   const int folder = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (folder < 0) fail(path);
+  return folder;
+}
+
+/// A descriptor travels as "ancillary data" of a message (unix(7), SCM_RIGHTS); -1: none.
+void report(int socket, int folder = -1) {
   char byte = 0;
   iovec bytes{&byte, 1};
   alignas(cmsghdr) char control[CMSG_SPACE(sizeof(int))] = {};
   msghdr message{};
   message.msg_iov = &bytes;
   message.msg_iovlen = 1;
-  message.msg_control = control;
-  message.msg_controllen = sizeof control;
-  cmsghdr* header = CMSG_FIRSTHDR(&message);
-  header->cmsg_level = SOL_SOCKET;
-  header->cmsg_type = SCM_RIGHTS;
-  header->cmsg_len = CMSG_LEN(sizeof(int));
-  std::memcpy(CMSG_DATA(header), &folder, sizeof folder);
-  if (::sendmsg(socket, &message, MSG_NOSIGNAL) != 1) fail("the folder of answers cannot be sent");
-  ::close(folder);
-  ::close(socket);
+  if (folder >= 0) {
+    message.msg_control = control;
+    message.msg_controllen = sizeof control;
+    cmsghdr* header = CMSG_FIRSTHDR(&message);
+    header->cmsg_level = SOL_SOCKET;
+    header->cmsg_type = SCM_RIGHTS;
+    header->cmsg_len = CMSG_LEN(sizeof(int));
+    std::memcpy(CMSG_DATA(header), &folder, sizeof folder);
+  }
+  if (::sendmsg(socket, &message, MSG_NOSIGNAL) != 1) fail("the start cannot be reported");
 }
 
 void limit(const Limit& wanted) {
@@ -152,7 +158,8 @@ void become(long account) {
   if (options.account >= 0) become(options.account);
   limit({RLIMIT_CORE, 0});
   for (const Limit& each : options.limits) limit(each);
-  if (options.socket >= 0) send_folder(options.socket, options.sent);
+  const int folder = options.sent.empty() ? -1 : open_folder(options.sent);
+  if (options.socket >= 0) ::fcntl(options.socket, F_SETFD, FD_CLOEXEC);
   const bool gives_up = options.filter || options.restricts_files;
   if (gives_up && ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) fail("new privileges cannot be given up");
   if (options.restricts_files && !restrict_files(options.readable, options.writable))
@@ -160,8 +167,11 @@ void become(long account) {
   if (options.filter && !refuse_system_calls()) fail("system calls cannot be filtered");
   // A change of account has reset this: end with the program that started us.
   if (::prctl(PR_SET_PDEATHSIG, 9, 0, 0, 0) != 0) fail("the end cannot be tied to the grader's");
+  if (options.socket >= 0) report(options.socket, folder);
   ::execv(options.program[0], options.program);
-  fail(options.program[0]);
+  const int reason = errno;
+  if (options.socket >= 0) report(options.socket);
+  fail(options.program[0], reason);
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
 // At most 3 GB among the answers, then a little in every other place that is often writable.
-#include <ctime>
 HOSTILE_START {
   hostile::attempted("fills-the-disk");
-  const std::time_t begin = std::time(nullptr);
+  const long begin = hostile::seconds_now();
   const std::string block(8 << 20, 'x');
   const int file = hostile::open(hostile::answers() + "/much", hostile::write_only | hostile::create);
   std::size_t written = 0;
-  while (file >= 0 && written < std::size_t(3) << 30 && std::time(nullptr) < begin + 7) {
+  while (file >= 0 && written < std::size_t(3) << 30 && hostile::seconds_now() < begin + 7) {
     const long more = hostile::write(file, block.data(), block.size());
     if (more <= 0) break;
     written += std::size_t(more);

@@ -14,9 +14,11 @@ HOSTILE_START {
   std::string roots;
   for (const std::string& folder : {build + "/implementations/solutions", build + "/../../solutions",
                                     build + "/../solutions", std::string("/solutions")})
-    if (hostile::exists(folder)) roots += folder + ":";
+    if (hostile::exists(folder)) {
+      roots += folder + ":";
+      if (!hostile::entries(folder).empty()) hostile::breached("looks into " + folder);
+    }
   if (roots.empty()) return;
-  hostile::breached("sees " + roots);
   std::vector<std::string> arguments = hostile::command_line();
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i)
     if (arguments[i] == "--implementations") arguments[i + 1] = roots + arguments[i + 1];

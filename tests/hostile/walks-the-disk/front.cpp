@@ -1,6 +1,5 @@
 // Looks through all folders for what a judge must not show: references, hints, known mistakes, solutions, results,
 // other submissions. Stops after 6 s, so that the cases still begin in time.
-#include <ctime>
 
 static void look_at(const std::string& path, const std::string& name) {
   const auto is_in = [&](const char* part) { return path.find(part) != path.npos; };
@@ -17,9 +16,9 @@ static void look_at(const std::string& path, const std::string& name) {
 
 HOSTILE_START {
   hostile::attempted("walks-the-disk");
-  const std::time_t begin = std::time(nullptr);
+  const long begin = hostile::seconds_now();
   std::vector<std::string> folders = {"/"};
-  for (std::size_t at = 0; at < folders.size() && std::time(nullptr) < begin + 6 && hostile::reached().size() < 4000;
+  for (std::size_t at = 0; at < folders.size() && hostile::seconds_now() < begin + 6 && hostile::reached().size() < 4000;
        ++at) {
     const std::string folder = folders[at];
     for (const std::string& name : hostile::entries(folder)) {

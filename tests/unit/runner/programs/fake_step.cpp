@@ -109,6 +109,15 @@ std::map<std::string, std::function<void(const Case&, const fs::path& pixels)>> 
          std::cerr << "error: int was thrown: 43\n";
          std::abort();
        }},
+      {"throws bad_alloc",
+       [](const Case& c, const fs::path&) {
+         write_case_error(fs::path(options["--out"]) / (c.name + ".exception"), "rotation threw: std::bad_alloc");
+       }},
+      {"takes memory",
+       [](const Case& c, const fs::path& file) {
+         const std::string much(std::size_t(500) << 20, 'm');
+         if (much.back() == 'm') draw(c, file);
+       }},
       {"refuses after drawing",
        [](const Case& c, const fs::path& file) {
          draw(c, file);
