@@ -121,7 +121,7 @@ Sandbox::Sandbox(Tier tier, const Limits& limits) : tier_(tier), limits_(limits)
     scratch_.emplace("atelier-scratch");
     give(scratch_->held().create_folder("tmp").path());
   }
-  group_ = ControlGroup::create(fmt::format("atelier-{}-{}", ::getpid(), *account_), limits.memory, limits.processes);
+  group_ = ControlGroup::create(std::to_string(*account_), limits.memory, limits.processes);
 }
 
 Sandbox::~Sandbox() {
