@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "base/descriptor.hpp"
 #include "base/error.hpp"
@@ -24,6 +25,10 @@ namespace fs = std::filesystem;
 fs::path name_beside(const fs::path& target) {
   static std::atomic<unsigned> count{0};
   return target.parent_path() / fmt::format(".atelier-{}-{}.part", ::getpid(), count++);
+}
+
+bool is_name_beside(const std::string& name) {
+  return name.starts_with(".atelier-") && name.ends_with(".part");
 }
 
 /// Writes all of `bytes`, in as many calls as needed. On an error returns false with errno set.
@@ -109,6 +114,14 @@ void write_file(const fs::path& path, std::string_view bytes) {
 
 void write_file(const fs::path& path, std::span<const std::byte> bytes) {
   write_file(path, std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+}
+
+void remove_unfinished_files(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> unfinished;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored))
+    if (is_name_beside(entry->path().filename().string())) unfinished.push_back(entry->path());
+  for (const fs::path& file : unfinished) fs::remove(file, ignored);
 }
 
 void require_space(const fs::path& folder, std::uintmax_t bytes) {

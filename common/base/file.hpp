@@ -23,6 +23,9 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit = std
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
+/// Removes what writes to files of this folder have left that were killed. No other process may be writing there.
+void remove_unfinished_files(const std::filesystem::path& folder);
+
 /// Throws Error if the disk that holds `folder` has fewer than `bytes` free: a failure for lack of space must not be
 /// reported as a student's mistake.
 void require_space(const std::filesystem::path& folder, std::uintmax_t bytes);

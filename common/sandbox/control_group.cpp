@@ -4,7 +4,9 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -42,12 +44,27 @@ std::string own_group(const fs::path& own, const std::string& controller) {
   return "";
 }
 
+/// Groups are named for the process that makes them, with its namespace of numbers: another container may have the
+/// same hierarchy, and processes of the same numbers.
+std::string prefix_of_names() {
+  std::error_code error;
+  std::string space = fs::read_symlink("/proc/self/ns/pid", error).string();  // "pid:[4026531836]"
+  std::erase_if(space, [](char c) { return c < '0' || c > '9'; });
+  return "atelier-" + space + '-';
+}
+
+/// The folder in which this process makes its groups of a controller of version 1; empty: there is none.
+fs::path place_in_first(const fs::path& root, const fs::path& own, const std::string& controller) {
+  const std::string group = own_group(own, controller);
+  return group.empty() ? fs::path() : root / controller / group.substr(1);
+}
+
 /// A folder of version 1 with one limit; an empty path without success.
 fs::path make_first(const fs::path& root, const fs::path& own, const std::string& name, const char* controller,
                     const char* limit, const std::string& value) {
-  const std::string group = own_group(own, controller);
-  if (group.empty()) return {};
-  const fs::path folder = root / controller / group.substr(1) / name;
+  const fs::path place = place_in_first(root, own, controller);
+  if (place.empty()) return {};
+  const fs::path folder = place / name;
   std::error_code error;
   fs::create_directory(folder, error);
   if (!error && write_value(folder / limit, value)) return folder;
@@ -72,8 +89,9 @@ fs::path make_second(const fs::path& root, const std::string& name, std::size_t 
 
 }  // namespace
 
-std::unique_ptr<ControlGroup> ControlGroup::create(const std::string& name, std::size_t memory, int processes,
+std::unique_ptr<ControlGroup> ControlGroup::create(const std::string& ending, std::size_t memory, int processes,
                                                    const fs::path& root, const fs::path& own) {
+  const std::string name = fmt::format("{}{}-{}", prefix_of_names(), ::getpid(), ending);
   std::unique_ptr<ControlGroup> group(new ControlGroup);
   const auto add = [&](fs::path folder) {
     if (!folder.empty()) group->folders_.push_back(std::move(folder));
@@ -104,6 +122,21 @@ void ControlGroup::kill_all() const {
     }
     if (all_gone) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+}
+
+void ControlGroup::remove_abandoned(const fs::path& root, const fs::path& own) {
+  const std::string prefix = prefix_of_names();
+  for (const fs::path& place : {root, place_in_first(root, own, "memory"), place_in_first(root, own, "pids")}) {
+    if (place.empty() || ::access(place.c_str(), W_OK) != 0) continue;
+    std::error_code error;
+    ControlGroup abandoned;  // removes its folders when it ends
+    for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+      const std::string name = entry->path().filename().string();
+      if (!name.starts_with(prefix)) continue;
+      const pid_t maker = pid_t(std::strtol(name.c_str() + prefix.size(), nullptr, 10));
+      if (maker > 1 && ::kill(maker, 0) != 0 && errno == ESRCH) abandoned.folders_.push_back(entry->path());
+    }
   }
 }
 

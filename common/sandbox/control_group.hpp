@@ -11,8 +11,9 @@ namespace atelier::sandbox {
 
 class ControlGroup {
  public:
-  /// A new group in the hierarchies below `root`, version 1 or 2; null where this process may not make one.
-  static std::unique_ptr<ControlGroup> create(const std::string& name, std::size_t memory, int processes,
+  /// A new group in the hierarchies below `root`, version 1 or 2, whose name has `ending`; null where this process may
+  /// not make one.
+  static std::unique_ptr<ControlGroup> create(const std::string& ending, std::size_t memory, int processes,
                                               const std::filesystem::path& root = "/sys/fs/cgroup",
                                               const std::filesystem::path& own = "/proc/self/cgroup");
   ~ControlGroup();  ///< kills all processes in it and removes it
@@ -24,6 +25,10 @@ class ControlGroup {
 
   void kill_all() const;     ///< and waits until they are gone, at most a second
   int memory_kills() const;  ///< how many processes of the group the system has killed for want of memory
+
+  /// Removes the groups that processes which have ended did not remove, and kills what is in them.
+  static void remove_abandoned(const std::filesystem::path& root = "/sys/fs/cgroup",
+                               const std::filesystem::path& own = "/proc/self/cgroup");
 
  private:
   ControlGroup() = default;

@@ -123,7 +123,7 @@ Sandbox::Sandbox(Tier tier, const Limits& limits) : tier_(tier), limits_(limits)
     scratch_.emplace("atelier-scratch");
     give(scratch_->held().create_folder("tmp").path());
   }
-  group_ = ControlGroup::create(fmt::format("atelier-{}-{}", ::getpid(), *account_), limits.memory, limits.processes);
+  group_ = ControlGroup::create(std::to_string(*account_), limits.memory, limits.processes);
 }
 
 /// An account under which nothing runs, and that no other sandbox has.

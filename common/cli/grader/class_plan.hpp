@@ -22,7 +22,8 @@ struct ClassPlaces {
   std::filesystem::path state() const { return out / "state"; }
   std::filesystem::path plan() const { return state() / "plan.cbor"; }
   std::filesystem::path unpacked() const { return state() / "unpacked"; }
-  /// What the grading process of this number works on: an id.
+  std::filesystem::path temporary() const { return state() / "temporary"; }  ///< names the temporary folder of a run
+  /// What the grading process of this number works on: an id. It removes the file when it ends in order.
   std::filesystem::path at_work(int worker) const { return state() / ("worker-" + std::to_string(worker)); }
 };
 

@@ -1,6 +1,8 @@
 #include "cli/grader/class_worker.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <system_error>
@@ -20,6 +22,7 @@
 #include "grade/record.hpp"
 #include "grade/submission.hpp"
 #include "judge/report/kept_steps.hpp"
+#include "sandbox/control_group.hpp"
 
 namespace atelier {
 namespace {
@@ -57,6 +60,21 @@ std::vector<std::string> doubts_about(const judge::StepResult& step, StepRecord:
   if (has(judge::Status::timeout)) doubts.push_back(step.step + " ran out of time");
   return doubts;
 }
+
+/// The file that says what a process works on; it stays if the process is killed.
+class AtWork {
+ public:
+  AtWork(fs::path file, const std::string& id) : file_(std::move(file)) { write_file(file_, id); }
+  ~AtWork() {
+    std::error_code ignored;
+    fs::remove(file_, ignored);
+  }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+ private:
+  fs::path file_;
+};
 
 class ClassWorker {
  public:
@@ -103,12 +121,21 @@ class ClassWorker {
     fs::create_directories(folder);
     const std::optional<FolderLock> lock = FolderLock::try_lock(folder);
     if (!lock || is_done(handed_in)) return;
-    write_file(places_.at_work(options_.index), handed_in.student.id);
+    const AtWork at_work(places_.at_work(options_.index), handed_in.student.id);
+    remove_unfinished_files(folder);
     try {
       grade(handed_in);
-    } catch (const Error& error) {
+    } catch (const judge::Interrupted&) {
+      throw;
+    } catch (const std::exception& error) {
+      require_own_plan();
       record_failure(places_, plan_, handed_in, fmt::format("It was not graded: {}", error.what()));
     }
+  }
+
+  /// A killed `grade` may leave processes on other machines. Records of theirs would pass for those of the next one.
+  void require_own_plan() const {
+    if (fs::last_write_time(places_.plan()) != plan_written_) throw judge::Interrupted();
   }
 
   void grade(const HandedIn& handed_in) {
@@ -131,6 +158,8 @@ class ClassWorker {
     }
     key = sha256(key);
     if (reuse(handed_in, key)) return;
+    // Its reports are about to change: if this process is killed, the record must not stand beside those of others.
+    fs::remove(places_.record(handed_in.student.id));
 
     std::vector<Graded> graded;
     std::vector<SubmissionRecord> records;
@@ -168,8 +197,9 @@ class ClassWorker {
   bool reuse(const HandedIn& handed_in, const std::string& key) const {
     const std::optional<SubmissionRecord> earlier = earlier_record(handed_in.student.id);
     if (!earlier || earlier->key != key) return false;
-    fs::last_write_time(places_.record(handed_in.student.id), fs::file_time_type::clock::now());
-    return true;
+    // By the clock that the plan's time is of: on a network's file system, that of the server.
+    require_own_plan();
+    return ::utimensat(AT_FDCWD, places_.record(handed_in.student.id).c_str(), nullptr, 0) == 0;
   }
 
   /// Nothing also where it is damaged, or of another version.
@@ -241,6 +271,7 @@ class ClassWorker {
     for (const auto& [kind, seconds] : graded.record.seconds)
       if (kind != "report") known += seconds;
     graded.record.seconds["other"] = std::max(0.0, all.seconds() - known);
+    require_own_plan();
     write_file(places_.record(graded.record.student.id), to_json_text(graded.record));
   }
 
@@ -274,10 +305,12 @@ void record_failure(const ClassPlaces& places, const ClassPlan& plan, const Hand
                           .notes = handed_in.notes,
                           .sandbox = plan.sandbox};
   record.needs_human.push_back(shorten(printable(why), 1000));
+  remove_result_files(places.student(handed_in.student.id));
   write_file(places.record(handed_in.student.id), to_json_text(record));
 }
 
 int run_grade_worker(const GradeWorkerOptions& options) {
+  sandbox::ControlGroup::remove_abandoned();
   ClassWorker(options).run();
   return exit_ok;
 }

@@ -2,19 +2,18 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <system_error>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/launch.hpp"
 #include "base/printable.hpp"
 #include "base/process.hpp"
-#include "cli/grader/class_worker.hpp"
+#include "cli/commands.hpp"
 #include "cli/grader/engine.hpp"
 #include "judge/run/runner.hpp"
 #include "judge/run/worker.hpp"
+#include "sandbox/control_group.hpp"
 
 namespace atelier {
 namespace {
@@ -22,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int poll_ms = 100;
-constexpr int most_ends = 2;  ///< on one submission
+constexpr int most_idle_ends = 5;  ///< of processes without a submission, one after the other
 
 /// One process, and its last words.
 struct Hand {
@@ -32,30 +31,49 @@ struct Hand {
 
 class LocalEngine {
  public:
-  LocalEngine(const EngineSettings& settings, const ClassPlan& plan) : settings_(settings), plan_(plan) {}
+  LocalEngine(const EngineSettings& settings, const ClassPlan& plan)
+      : settings_(settings), plan_(plan), ends_(settings.places, plan) {}
+
+  ~LocalEngine() {
+    hands_.clear();  // kills them, if this was interrupted
+    sandbox::ControlGroup::remove_abandoned();
+  }
 
   void run() {
-    const std::size_t count = std::min(std::size_t(settings_.workers), ungraded(settings_.places, plan_).size());
+    const std::size_t count = std::min(std::size_t(settings_.workers), left());
     hands_.resize(count);
     for (std::size_t i = 0; i < count; ++i) start(int(i));
-    while (std::ranges::any_of(hands_, [](const Hand& hand) { return hand.process != nullptr; })) {
+    while (is_working()) {
       if (settings_.interrupted && settings_.interrupted()) throw judge::Interrupted();
       if (settings_.waiting) settings_.waiting();
       ::poll(nullptr, 0, poll_ms);
       for (std::size_t i = 0; i < count; ++i) look_at(int(i));
+      // All have ended well, but another process held the folder of a submission, such as one that is being killed.
+      if (!is_working() && left() > 0) {
+        count_idle_end(fmt::format("another process has locked a folder in {}", settings_.places.out.string()));
+        start(0);
+      }
     }
   }
 
  private:
+  bool is_working() const {
+    return std::ranges::any_of(hands_, [](const Hand& hand) { return hand.process != nullptr; });
+  }
+
+  std::size_t left() const { return ungraded(settings_.places, plan_).size(); }
+
   void start(int index) {
     std::error_code none;
     fs::remove(settings_.places.at_work(index), none);
     Hand& hand = hands_[std::size_t(index)];
     hand.output.clear();
+    std::map<std::string, std::string> environment = own_environment();
+    environment["TMPDIR"] = settings_.temporary.empty_folder(fmt::format("worker-{}", index)).string();
     hand.process = std::make_unique<judge::Worker>(
         Launch{.arguments = worker_command(settings_.places, std::to_string(index), int(hands_.size())),
                .folder = {},
-               .environment = own_environment(),
+               .environment = std::move(environment),
                .descriptors = {}});
   }
 
@@ -68,21 +86,18 @@ class LocalEngine {
     if (!exit) return;
     hand.process.reset();
     if (exit->signal == 0 && exit->status == exit_ok) return;
-    blame(index, exit->signal != 0 ? signal_name(exit->signal) : last_line(hand.output));
+    const std::string why = exit->signal != 0 ? signal_name(exit->signal) : last_line(hand.output);
+    if (ends_.note(index, why))
+      idle_ends_ = 0;
+    else if (exit->signal == 0)
+      throw Error(why);  // about the project or this machine, and so about all submissions
+    else
+      count_idle_end("a process that grades has ended: " + why);
     start(index);
   }
 
-  /// A process has ended before its work was done: because of the submission that it had, if it had one.
-  void blame(int index, const std::string& why) {
-    std::error_code none;
-    const fs::path at_work = settings_.places.at_work(index);
-    if (!fs::exists(at_work, none)) throw Error(why);
-    const std::string id = read_file(at_work);
-    if (++ends_[id] < most_ends) return;
-    for (const grade::HandedIn& handed_in : plan_.folder.submissions)
-      if (handed_in.student.id == id)
-        record_failure(settings_.places, plan_, handed_in,
-                       fmt::format("The grader itself has ended {} times on it: {}", most_ends, why));
+  void count_idle_end(const std::string& why) {
+    if (++idle_ends_ >= most_idle_ends) throw Error(why);
   }
 
   static std::string last_line(std::string text) {
@@ -93,29 +108,12 @@ class LocalEngine {
 
   const EngineSettings& settings_;
   const ClassPlan& plan_;
+  WorkerEnds ends_;
   std::vector<Hand> hands_;
-  std::map<std::string, int> ends_;  ///< by id
+  int idle_ends_ = 0;
 };
 
 }  // namespace
-
-std::vector<const grade::HandedIn*> ungraded(const ClassPlaces& places, const ClassPlan& plan) {
-  const fs::file_time_type written = fs::last_write_time(places.plan());
-  std::vector<const grade::HandedIn*> left;
-  for (const grade::HandedIn& handed_in : plan.folder.submissions)
-    if (!is_graded(places, handed_in.student.id, written)) left.push_back(&handed_in);
-  return left;
-}
-
-std::vector<std::string> worker_command(const ClassPlaces& places, const std::string& index, int of) {
-  return {fs::read_symlink("/proc/self/exe").string(),
-          "grade-worker",
-          places.out.string(),
-          "--index",
-          index,
-          "--of",
-          std::to_string(of)};
-}
 
 void run_local_engine(const EngineSettings& settings, const ClassPlan& plan) {
   LocalEngine(settings, plan).run();

@@ -1,9 +1,9 @@
 #include "cli/grader/grade_class.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -12,16 +12,19 @@
 #include "base/printable.hpp"
 #include "base/sha256.hpp"
 #include "base/stopwatch.hpp"
+#include "base/system_reason.hpp"
 #include "cli/criteria.hpp"
 #include "cli/grader/class_plan.hpp"
 #include "cli/grader/class_progress.hpp"
 #include "cli/grader/class_worker.hpp"
 #include "cli/grader/engine.hpp"
+#include "cli/grader/temporary_place.hpp"
 #include "cli/layout.hpp"
 #include "cli/stop.hpp"
 #include "grade/class_results.hpp"
 #include "grade/environment.hpp"
 #include "judge/run/build_record.hpp"
+#include "sandbox/control_group.hpp"
 #include "sandbox/tier.hpp"
 
 namespace atelier {
@@ -125,22 +128,19 @@ std::vector<grade::SubmissionRecord> read_records(const ClassPlaces& places, con
   return records;
 }
 
-/// Those with a new report, or none; the others were kept.
-std::size_t graded_now(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records) {
-  const fs::file_time_type planned = fs::last_write_time(places.plan());
-  return std::size_t(std::ranges::count_if(records, [&](const grade::SubmissionRecord& record) {
-    std::error_code none;
-    const fs::file_time_type reported = fs::last_write_time(places.student(record.student.id) / "report.html", none);
-    return none || reported >= planned;
-  }));
+/// Whether a record is of an earlier run: its reports are older than the plan.
+bool is_kept(const ClassPlaces& places, const grade::SubmissionRecord& record) {
+  std::error_code missing;
+  const fs::file_time_type written = fs::last_write_time(places.student(record.student.id) / "results.json", missing);
+  return !missing && written < fs::last_write_time(places.plan());
 }
 
-void print_summary(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records, double seconds,
-                   std::size_t graded) {
-  std::size_t need_human = 0;
-  for (const grade::SubmissionRecord& record : records) need_human += record.needs_human.empty() ? 0 : 1;
-  fmt::print("{} submissions: {} graded in {}, {} kept from before\n", records.size(), graded, duration_words(seconds),
-             records.size() - graded);
+void print_summary(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records, double seconds) {
+  const auto need_human =
+      std::ranges::count_if(records, [](const auto& record) { return !record.needs_human.empty(); });
+  const auto kept = std::ranges::count_if(records, [&](const auto& record) { return is_kept(places, record); });
+  fmt::print("{} submissions: {} graded in {}, {} kept from before\n", records.size(),
+             std::ptrdiff_t(records.size()) - kept, duration_words(seconds), kept);
   if (need_human > 0)
     fmt::print("{} need{} a person: see {}\n", need_human, need_human == 1 ? "s" : "",
                (places.out / "class.html").string());
@@ -152,8 +152,7 @@ void print_summary(const ClassPlaces& places, const std::vector<grade::Submissio
 int run_grade_class(const GradeOptions& options) {
   const StopOnSignal stop;
   const Stopwatch watch;
-  if (options.engine != "local" && options.engine != "slurm")
-    throw Error(fmt::format("--engine {}: it takes local or slurm", options.engine));
+  if (options.engine == "slurm") require_slurm();
   const ProjectFolders folders = project_folders();
   const std::vector<CourseStep> course = read_course(folders.step_flags());
   const grade::CourseFile rules = rules_of(options, course);
@@ -162,11 +161,14 @@ int run_grade_class(const GradeOptions& options) {
                                                : fs::absolute(options.out)};
   std::error_code error;
   fs::create_directories(places.state(), error);
-  if (error)
+  if (error || ::access(places.state().c_str(), W_OK) != 0)
     throw Error(fmt::format("--out {}: results cannot be written there ({}); name a writable folder",
-                            places.out.string(), error.message()));
+                            places.out.string(), error ? error.message() : system_reason()));
   const std::optional<FolderLock> lock = FolderLock::try_lock(places.state());
   if (!lock) throw Error(fmt::format("--out {}: another process grades into this folder", places.out.string()));
+  for (const fs::path& folder : {places.out, places.state()}) remove_unfinished_files(folder);
+  const TemporaryPlace temporary(places.temporary());
+  sandbox::ControlGroup::remove_abandoned();
   fs::remove_all(places.unpacked());
   const ClassPlan plan = make_plan(options, places, folders, steps, rules);
   write_plan(places, plan);
@@ -174,6 +176,7 @@ int run_grade_class(const GradeOptions& options) {
   {
     ClassProgress progress(places, plan);
     const EngineSettings settings{.places = places,
+                                  .temporary = temporary,
                                   .workers = options.workers > 0 ? options.workers : worker_threads(),
                                   .arguments = options.engine_arguments,
                                   .interrupted = [&] { return stop.requested(); },
@@ -183,7 +186,7 @@ int run_grade_class(const GradeOptions& options) {
   const std::vector<grade::SubmissionRecord> records = read_records(places, plan);
   const double seconds = watch.seconds();
   grade::write_class_results(places.out, rules, summary_of(plan, folders, steps, seconds), records);
-  print_summary(places, records, seconds, graded_now(places, records));
+  print_summary(places, records, seconds);
   return exit_ok;
 }
 

@@ -17,4 +17,9 @@ void write_result_files(judge::SubmissionResult& result, const std::filesystem::
                     {folder / "report.html", [&](const fs::path& file) { judge::write_html_report(file, result); }}});
 }
 
+void remove_result_files(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  for (const char* name : {"results.json", "junit.xml", "report.html"}) std::filesystem::remove(folder / name, ignored);
+}
+
 }  // namespace atelier

@@ -11,4 +11,7 @@ namespace atelier {
 /// of them or, with an Error, none.
 void write_result_files(judge::SubmissionResult& result, const std::filesystem::path& folder);
 
+/// Removes these files, if they are there: they are of an earlier submission.
+void remove_result_files(const std::filesystem::path& folder);
+
 }  // namespace atelier
