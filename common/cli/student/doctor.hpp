@@ -9,6 +9,7 @@
 
 #include "base/process.hpp"
 #include "gl/context.hpp"
+#include "sandbox/tier.hpp"
 
 namespace atelier {
 
@@ -64,10 +65,8 @@ Finding display_finding(const std::string& x11, const std::string& wayland);
 Finding watching_finding(bool reported);
 
 struct SandboxTrial {
-  bool installed = false;  ///< bubblewrap is installed
-  bool works = false;      ///< and has started a program in namespaces of its own
-  bool as_root = false;    ///< root may always do this, so nothing is known about other users
-  std::string words;       ///< its message if it failed
+  sandbox::Possible possible;
+  bool installed = false;  ///< bubblewrap is
   std::string setting;  ///< the kernel's setting that forbids it, as sysctl sets it: "user.max_user_namespaces=10000"
 };
 Finding sandbox_finding(const SandboxTrial& trial, const std::string& install);

@@ -165,18 +165,20 @@ Finding watching_finding(bool reported) {
 }
 
 Finding sandbox_finding(const SandboxTrial& trial, const std::string& install) {
-  constexpr const char* wanted = "; to grade the work of people you do not know, use a container or virtual machine";
-  if (trial.works)
-    return {State::good, "sandbox",
-            fmt::format("bubblewrap starts programs in namespaces of their own{}; grade does not use it yet",
-                        trial.as_root ? " (tried as root, who always may)" : ""),
-            ""};
-  if (!trial.installed)
-    return {State::note, "sandbox", fmt::format("limits of time alone: bubblewrap is not installed{}", wanted),
-            with_packages(install, "bubblewrap")};
-  return {State::note, "sandbox",
-          fmt::format("limits of time alone: bubblewrap cannot start ({}){}", trial.words, wanted),
-          trial.setting.empty() ? "" : "sudo sysctl " + trial.setting};
+  const auto& [best, why_not_full, why_not_account] = trial.possible;
+  if (best == sandbox::Tier::full)
+    return {State::good, "sandbox", "full: strangers' work is graded in namespaces of its own", ""};
+  std::string fix = trial.setting.empty() ? "" : "sudo sysctl " + trial.setting;
+  if (!trial.installed) fix = with_packages(install, "bubblewrap");
+  if (best == sandbox::Tier::account)
+    return {State::note, "sandbox",
+            fmt::format("account: strangers' work is graded under an account of its own, but in no namespaces ({})",
+                        why_not_full),
+            fix};
+  return {
+      State::note, "sandbox",
+      fmt::format("none: strangers' work is not graded here (full: {}; account: {})", why_not_full, why_not_account),
+      fix};
 }
 
 std::vector<Finding> step_findings(const std::vector<StepTrial>& trials, const ContextTrials& contexts,

@@ -184,19 +184,29 @@ TEST_CASE("If the sandbox cannot start, the reason is reported") {
     std::initializer_list<std::string_view> says;
     const char* fix;
   };
-  const std::initializer_list<std::string_view> strangers = {"limits of time alone", "container or virtual machine"};
+  using sandbox::Tier;
+  const std::string missing = "bwrap is not there", root = "only root can";
   const Row rows[] = {
-      {"works", {.installed = true, .works = true}, State::good, {"namespaces", "does not use it yet"}, ""},
-      {"root", {.installed = true, .works = true, .as_root = true}, State::good, {"tried as root"}, ""},
-      {"missing", {}, State::note, strangers, "sudo apt-get install --no-install-recommends bubblewrap"},
+      {"works", {.possible = {.best = Tier::full}, .installed = true}, State::good, {"full", "namespaces"}, ""},
+      {"in a container",
+       {.possible = {.best = Tier::account, .why_not_full = "Operation not permitted"}, .installed = true},
+       State::note,
+       {"account", "Operation not permitted"},
+       ""},
+      {"missing",
+       {.possible = {.best = Tier::none, .why_not_full = missing, .why_not_account = root}},
+       State::note,
+       {"none", "not graded", missing, root},
+       "sudo apt-get install --no-install-recommends bubblewrap"},
       {"forbidden",
-       {.installed = true,
-        .words = "setting up uid map: Permission denied",
+       {.possible = {.best = Tier::none,
+                     .why_not_full = "setting up uid map: Permission denied",
+                     .why_not_account = root},
+        .installed = true,
         .setting = "user.max_user_namespaces=10000"},
        State::note,
-       strangers,
+       {"Permission denied"},
        "sudo sysctl user.max_user_namespaces=10000"},
-      {"forbidden, nobody knows why", {.installed = true, .words = "no"}, State::note, {"(no)"}, ""},
   };
   for (const Row& row : rows) {
     INFO(row.name);
@@ -205,7 +215,7 @@ TEST_CASE("If the sandbox cannot start, the reason is reported") {
     CHECK(mentions(finding.words, row.says));
     CHECK(finding.fix == row.fix);
   }
-  CHECK(sandbox_finding({}, "").fix.empty());
+  CHECK(sandbox_finding({}, "").fix.empty());  // an unknown system has no command
 }
 
 TEST_CASE("Steps that run share one line, each other step has its own") {
