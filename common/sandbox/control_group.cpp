@@ -89,9 +89,13 @@ fs::path make_second(const fs::path& root, const std::string& name, std::size_t 
 
 }  // namespace
 
+std::string ControlGroup::name_of(const std::string& ending) {
+  return fmt::format("{}{}-{}", prefix_of_names(), ::getpid(), ending);
+}
+
 std::unique_ptr<ControlGroup> ControlGroup::create(const std::string& ending, std::size_t memory, int processes,
                                                    const fs::path& root, const fs::path& own) {
-  const std::string name = fmt::format("{}{}-{}", prefix_of_names(), ::getpid(), ending);
+  const std::string name = name_of(ending);
   std::unique_ptr<ControlGroup> group(new ControlGroup);
   const auto add = [&](fs::path folder) {
     if (!folder.empty()) group->folders_.push_back(std::move(folder));

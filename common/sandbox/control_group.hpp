@@ -11,6 +11,9 @@ namespace atelier::sandbox {
 
 class ControlGroup {
  public:
+  /// The name of a group of this process; it says whose it is, also to other processes.
+  static std::string name_of(const std::string& ending);
+
   /// A new group in the hierarchies below `root`, version 1 or 2, whose name has `ending`; null where this process may
   /// not make one.
   static std::unique_ptr<ControlGroup> create(const std::string& ending, std::size_t memory, int processes,

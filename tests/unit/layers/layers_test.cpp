@@ -27,10 +27,11 @@ const std::map<std::string, std::set<std::string>> allowed = {
     {"render", {"base", "case", "gl", "image", "scene"}},
     {"app", {"base", "case", "gl", "image", "image_io", "oracle", "render", "scene", "scene_import"}},
     {"sandbox", {"base"}},
-    {"judge", {"base", "case", "image", "image_io", "sandbox"}},  // no GL: it reads what programs wrote, and trusts none of it
-    {"measure", {"base", "case", "image", "judge"}},   // it runs step programs, and links none
+    {"judge",
+     {"base", "case", "image", "image_io", "sandbox"}},  // no GL: it reads what programs wrote, and trusts none of it
+    {"measure", {"base", "case", "image", "judge"}},     // it runs step programs, and links none
     {"grade", {"base", "case", "gl", "judge"}},
-    {"cli", {"base", "case", "gl", "grade", "image", "image_io", "judge", "measure", "oracle", "scene"}},
+    {"cli", {"base", "case", "gl", "grade", "image", "image_io", "judge", "measure", "oracle", "sandbox", "scene"}},
 };
 
 struct Include {

@@ -17,7 +17,7 @@ constexpr std::size_t memory = 4096;
 constexpr int processes = 7;
 
 std::unique_ptr<ControlGroup> create(const fs::path& root) {
-  return ControlGroup::create("atelier-1-2", memory, processes, root, root / "own");
+  return ControlGroup::create("1", memory, processes, root, root / "own");
 }
 
 /// The files of a group, which here nobody makes and nobody removes with it.
@@ -32,7 +32,8 @@ TEST_CASE("Of version 1 a group lies in that of this process, once for each cont
   write_file(root.path() / "own", "11:cpu,memory:/outer/mine\n4:pids:/\n0::/\n");
   fs::create_directories(root.path() / "memory/outer/mine");
   fs::create_directories(root.path() / "pids");
-  const fs::path first = root.path() / "memory/outer/mine/atelier-1-2", second = root.path() / "pids/atelier-1-2";
+  const fs::path first = root.path() / "memory/outer/mine" / ControlGroup::name_of("1"),
+                 second = root.path() / "pids" / ControlGroup::name_of("1");
   {
     const auto group = create(root.path());
     REQUIRE(group);
@@ -60,7 +61,7 @@ TEST_CASE("Of version 1 one controller is enough") {
 TEST_CASE("Of version 2 a group lies in the root, if that gives it both controllers") {
   const TemporaryFolder root("atelier-test");
   write_file(root.path() / "cgroup.controllers", "cpu memory pids\n");
-  const fs::path folder = root.path() / "atelier-1-2";
+  const fs::path folder = root.path() / ControlGroup::name_of("1");
   for (const char* given : {"", "cpu memory\n", "cpu pids\n"}) {
     INFO(given);
     write_file(root.path() / "cgroup.subtree_control", given);

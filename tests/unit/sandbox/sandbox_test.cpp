@@ -137,7 +137,7 @@ Descriptor listen_at(const sockaddr* address, socklen_t size) {
 
 std::set<std::string> cgroups_of_this_process() {
   std::set<std::string> found;
-  const std::string begin = fmt::format("atelier-{}-", ::getpid());
+  const std::string begin = ControlGroup::name_of("");
   std::error_code error;
   for (fs::recursive_directory_iterator entry("/sys/fs/cgroup", error), end; !error && entry != end;
        entry.increment(error))
