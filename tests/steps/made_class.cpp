@@ -28,25 +28,25 @@ std::string replaced(std::string text, const std::string& from, const std::strin
   return text.replace(text.find(from), from.size(), to);
 }
 
-/// The control groups of processes that have ended.
-std::vector<std::string> abandoned_groups() {
+}  // namespace
+
+std::set<std::string> abandoned_groups() {
   std::string space = fs::read_symlink("/proc/self/ns/pid").string();
   std::erase_if(space, [](char c) { return c < '0' || c > '9'; });
   const std::string prefix = "atelier-" + space + "-";
-  std::vector<std::string> found;
+  std::set<std::string> found;
   std::error_code error;
   for (fs::recursive_directory_iterator entry("/sys/fs/cgroup", error), end; !error && entry != end;
        entry.increment(error)) {
     const std::string name = entry->path().filename().string();
     if (name.starts_with(prefix) && ::kill(std::stoi(name.substr(prefix.size())), 0) != 0)
-      found.push_back("control group " + entry->path().string());
+      found.insert(entry->path().string());
   }
   return found;
 }
 
-}  // namespace
-
-MadeClass::MadeClass() : class_(all_.path() / "class"), temporary_(all_.path() / "tmp") {
+MadeClass::MadeClass()
+    : class_(all_.path() / "class"), temporary_(all_.path() / "tmp"), groups_of_others_(abandoned_groups()) {
   fs::create_directory(temporary_);
   fs::permissions(all_.path(), fs::perms(0755));  // confined programs go through it
   const std::string hello = solution("00-hello/hello.glsl"), transforms = solution("01-transforms/transforms.cpp");
@@ -130,9 +130,15 @@ std::vector<std::string> leavings(const MadeClass& made, const fs::path& out) {
   for (const auto& entry : fs::directory_iterator(made.temporary())) found.push_back(entry.path().string());
   // What was killed takes a moment to be gone.
   const std::string where = made.place("").string();
-  comes_true([&] { return processes_with(where).empty() && abandoned_groups().empty(); }, 5);
+  std::set<std::string> groups;
+  const auto is_clean = [&] {
+    groups = abandoned_groups();
+    for (const std::string& group : made.groups_of_others()) groups.erase(group);
+    return groups.empty() && processes_with(where).empty();
+  };
+  comes_true(is_clean, 5);
   for (const FoundProcess& process : processes_with(where)) found.push_back("process " + process.words);
-  for (const std::string& group : abandoned_groups()) found.push_back(group);
+  for (const std::string& group : groups) found.push_back("control group " + group);
   return found;
 }
 

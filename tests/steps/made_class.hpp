@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ class MadeClass {
   /// A file that a student hands in gets a line more, which changes no points.
   void change(const std::string& student) const;
 
+  /// Control groups that were abandoned before.
+  const std::set<std::string>& groups_of_others() const { return groups_of_others_; }
+
   /// The command `grade CLASS --out OUT --step 00 --step 01 MORE...`.
   std::vector<std::string> command(const std::filesystem::path& out, const std::vector<std::string>& more = {}) const;
   /// The environment of the command.
@@ -33,7 +37,11 @@ class MadeClass {
  private:
   TemporaryFolder all_{"atelier-steps-test"};
   std::filesystem::path class_, temporary_;
+  std::set<std::string> groups_of_others_;
 };
+
+/// The control groups of processes that have ended. Other tests' graders have some until another one starts.
+std::set<std::string> abandoned_groups();
 
 /// What the results of a class say, without times and folders: by file, "students/ada" for points and statuses,
 /// "gradebook.csv". Fails the test if a file is missing or is no JSON.

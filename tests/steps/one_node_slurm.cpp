@@ -71,6 +71,7 @@ std::string OneNodeSlurm::why_not() {
 OneNodeSlurm::OneNodeSlurm() {
   fs::permissions(folder_.path(), fs::perms(0755));  // munged serves everybody
   write_configuration();
+  start_watcher();
   start({daemon_program("munged"), "--foreground", "--force", "--socket=" + file("munge.socket").string(),
          "--key-file=" + file("munge.key").string(), "--log-file=" + file("munged.log").string(),
          "--pid-file=" + file("munged.pid").string(), "--seed-file=" + file("munge.seed").string()});
@@ -163,6 +164,16 @@ void OneNodeSlurm::start(const std::vector<std::string>& arguments) {
   std::map<std::string, std::string> environment = environment_of_daemons();
   add_to(environment);
   programs_.emplace_front(arguments, environment);  // they end in the opposite order
+}
+
+void OneNodeSlurm::start_watcher() {
+  const std::string script =
+      "while kill -0 \"$1\"; do sleep 1; done; for p in /proc/[0-9]*; do "
+      "if [ ${p#/proc/} != $$ ] && grep -qs \"$0\" $p/environ; then kill -9 ${p#/proc/}; fi; done; rm -rf \"$0\"";
+  Running starter({"sh", "-c", "setsid sh -c \"$0\" \"$1\" \"$2\" >/dev/null 2>&1 &", script, folder_.path().string(),
+                   std::to_string(::getpid())},
+                  environment_of_daemons());
+  REQUIRE(starter.wait() == 0);
 }
 
 std::string OneNodeSlurm::logs() const {

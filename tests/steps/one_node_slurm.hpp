@@ -34,6 +34,8 @@ class OneNodeSlurm {
  private:
   std::filesystem::path file(const char* name) const { return folder_.path() / name; }
   void write_configuration() const;
+  /// What ends all if the test itself is killed: daemons then end too, but not what they have started.
+  void start_watcher();
   void start(const std::vector<std::string>& arguments);
   std::string logs() const;
 

@@ -110,7 +110,8 @@ TEST_CASE("a submission on which tasks of Slurm end twice is left to a person", 
   const fs::path out = there.made.place("out");
   Running grader = there.start(out);
   int ends = 0;
-  while (grader.runs())
+  const Stopwatch watch;
+  while (grader.runs() && watch.seconds() < 200)
     for (int task = 0; task < 3; ++task) {
       const fs::path file = out / "state" / fmt::format("worker-{}", task);
       for (const pid_t process : there.tasks(out, fmt::format("--index {} ", task)))

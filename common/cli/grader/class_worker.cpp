@@ -21,7 +21,6 @@
 #include "grade/mistake_pictures.hpp"
 #include "grade/record.hpp"
 #include "grade/submission.hpp"
-#include "sandbox/control_group.hpp"
 
 namespace atelier {
 namespace {
@@ -288,7 +287,6 @@ void record_failure(const ClassPlaces& places, const ClassPlan& plan, const Hand
 }
 
 int run_grade_worker(const GradeWorkerOptions& options) {
-  sandbox::ControlGroup::remove_abandoned();
   ClassWorker(options).run();
   return exit_ok;
 }
