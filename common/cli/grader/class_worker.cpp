@@ -310,7 +310,6 @@ void record_failure(const ClassPlaces& places, const ClassPlan& plan, const Hand
 }
 
 int run_grade_worker(const GradeWorkerOptions& options) {
-  sandbox::ControlGroup::remove_abandoned();
   ClassWorker(options).run();
   return exit_ok;
 }

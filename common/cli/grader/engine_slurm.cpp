@@ -27,10 +27,17 @@ constexpr int most_idle_arrays = 2;     ///< one after the other, that have grad
 
 /// Why an array waits that will never start, whatever else ends or comes back (squeue(1), JOB REASON CODES).
 const std::set<std::string> hopeless = {
-    "BadConstraints", "PartitionNodeLimit",       "PartitionTimeLimit", "InvalidAccount",
-    "InvalidQOS",     "DependencyNeverSatisfied", "JobHeldAdmin",       "launch failed requeued held"};
+    "BadConstraints", "PartitionNodeLimit",       "PartitionTimeLimit",         "InvalidAccount",
+    "InvalidQOS",     "DependencyNeverSatisfied", "launch failed requeued held"};
 /// Why arrays usually wait, which is no news.
 const std::set<std::string> usual = {"None", "Resources", "Priority", "BeginTime", "JobArrayTaskLimit", "Cleaning"};
+
+/// What a command of Slurm has printed, as one sentence.
+std::string in_one_line(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::ranges::replace(text, '\n', ' ');
+  return shorten(printable(text), 500);
+}
 
 class SlurmEngine {
  public:
@@ -68,9 +75,8 @@ class SlurmEngine {
   }
 
   std::string demand(std::vector<std::string> arguments) const {
-    const std::string program = arguments.front();
     const Finished done = ask(std::move(arguments));
-    if (!done.ok()) throw Error(fmt::format("{}: {}", program, shorten(printable(done.output), 500)));
+    if (!done.ok()) throw Error(in_one_line(done.output));
     return done.output;
   }
 
@@ -149,7 +155,7 @@ class SlurmEngine {
         since_answered = {};
         if (!answer.ok() || !has_tasks(answer.output)) return;  // the scheduler forgets what has ended
       } else if (since_answered.seconds() > silent_seconds) {
-        throw Error(fmt::format("squeue: {}", shorten(printable(answer.output), 500)));
+        throw Error(in_one_line(answer.output));
       }
     }
     ask({"scancel", "--state=PENDING", array_});  // tasks that would find nothing to do

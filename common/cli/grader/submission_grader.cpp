@@ -12,6 +12,7 @@
 #include "cli/search_path.hpp"
 #include "grade/environment.hpp"
 #include "judge/run/build.hpp"
+#include "sandbox/control_group.hpp"
 
 namespace atelier {
 namespace {
@@ -64,6 +65,7 @@ SubmissionGrader::SubmissionGrader(const ProjectFolders& folders, const std::vec
         fmt::format("this machine cannot draw, so nothing is graded: {}", driver.substr(grade::no_driver.size())));
   environment_["sandbox"] = sandbox::to_string(settings.tier);
   require_earlier_solutions(folders, steps);
+  sandbox::ControlGroup::remove_abandoned();
   for (const CourseStep& step : steps) {
     judges_.emplace_back(criteria_of(folders, step));
     judges_.back().require_references();
