@@ -13,7 +13,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/author/bench.hpp"
 #include "cli/grader/class_progress.hpp"
-#include "grade/record.hpp"
+#include "grade/results/record.hpp"
 #include "judge/compare/mistakes.hpp"
 #include "judge/run/source_file.hpp"
 #include "judge/run/worker.hpp"

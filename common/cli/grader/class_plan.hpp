@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "grade/class_folder.hpp"
-#include "grade/course_file.hpp"
+#include "grade/course/course_file.hpp"
+#include "grade/intake/class_folder.hpp"
 
 namespace atelier {
 

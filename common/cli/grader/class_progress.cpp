@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "cli/grader/class_worker.hpp"
 #include "cli/grader/engine.hpp"
-#include "grade/record.hpp"
+#include "grade/results/record.hpp"
 #include "judge/report/report_terminal.hpp"
 
 namespace atelier {

@@ -6,8 +6,8 @@
 #include "base/error.hpp"
 #include "cli/commands.hpp"
 #include "cli/layout.hpp"
-#include "grade/course_file.hpp"
-#include "grade/course_words.hpp"
+#include "grade/course/course_file.hpp"
+#include "grade/course/course_words.hpp"
 
 namespace atelier {
 

@@ -17,8 +17,8 @@
 #include "cli/layout.hpp"
 #include "cli/progress.hpp"
 #include "cli/stop.hpp"
-#include "grade/class_folder.hpp"
-#include "grade/submission.hpp"
+#include "grade/intake/class_folder.hpp"
+#include "grade/intake/submission.hpp"
 #include "judge/report/report_json.hpp"
 #include "judge/report/report_terminal.hpp"
 

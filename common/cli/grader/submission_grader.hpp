@@ -12,8 +12,8 @@
 
 #include "base/file.hpp"
 #include "cli/layout.hpp"
+#include "grade/intake/submission.hpp"
 #include "grade/step_judge.hpp"
-#include "grade/submission.hpp"
 #include "judge/compare/result.hpp"
 #include "sandbox/tier.hpp"
 

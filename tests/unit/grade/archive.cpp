@@ -1,4 +1,4 @@
-#include "grade/archive.hpp"
+#include "grade/intake/archive.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

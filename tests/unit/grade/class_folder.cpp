@@ -1,11 +1,11 @@
 // Classes as instructors download them from course platforms, and what is no class.
-#include "grade/class_folder.hpp"
+#include "grade/intake/class_folder.hpp"
 
 #include <algorithm>
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "grade/submission.hpp"
+#include "grade/intake/submission.hpp"
 #include "made_archive.hpp"
 
 using namespace atelier;

@@ -1,4 +1,4 @@
-#include "grade/class_report.hpp"
+#include "grade/results/class_report.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,10 +10,10 @@
 #include "base/strict_json.hpp"
 #include "catch.hpp"
 #include "class_sample.hpp"
-#include "grade/class_json.hpp"
-#include "grade/class_junit.hpp"
-#include "grade/class_statistics.hpp"
-#include "grade/mistake_pictures.hpp"
+#include "grade/results/class_json.hpp"
+#include "grade/results/class_junit.hpp"
+#include "grade/results/class_statistics.hpp"
+#include "grade/results/mistake_pictures.hpp"
 #include "judge/report/report_html.hpp"
 
 using namespace atelier;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grade/class_results.hpp"
+#include "grade/results/class_results.hpp"
 
 namespace atelier::test {
 

@@ -1,8 +1,8 @@
-#include "grade/course_file.hpp"
+#include "grade/course/course_file.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "grade/course_words.hpp"
+#include "grade/course/course_words.hpp"
 
 using namespace atelier;
 using namespace atelier::grade;

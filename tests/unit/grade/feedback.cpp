@@ -1,4 +1,4 @@
-#include "grade/feedback.hpp"
+#include "grade/course/feedback.hpp"
 
 #include "catch.hpp"
 #include "judge/report/report_html.hpp"

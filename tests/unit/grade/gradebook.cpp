@@ -1,4 +1,4 @@
-#include "grade/gradebook.hpp"
+#include "grade/results/gradebook.hpp"
 
 #include <filesystem>
 

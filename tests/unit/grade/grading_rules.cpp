@@ -1,4 +1,4 @@
-#include "grade/grading_rules.hpp"
+#include "grade/course/grading_rules.hpp"
 
 #include "catch.hpp"
 #include "class_sample.hpp"

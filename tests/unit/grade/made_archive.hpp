@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grade/archive.hpp"
+#include "grade/intake/archive.hpp"
 #include "judge/run/build.hpp"
 
 namespace atelier::test {

@@ -1,4 +1,4 @@
-#include "grade/platform_names.hpp"
+#include "grade/intake/platform_names.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

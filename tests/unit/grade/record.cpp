@@ -1,4 +1,4 @@
-#include "grade/record.hpp"
+#include "grade/results/record.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,11 +1,11 @@
 // Steps in unexpected places: what honest students hand in.
-#include "grade/step_places.hpp"
+#include "grade/intake/step_places.hpp"
 
 #include <algorithm>
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "grade/submission.hpp"
+#include "grade/intake/submission.hpp"
 #include "made_archive.hpp"
 
 using namespace atelier;

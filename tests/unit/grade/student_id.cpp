@@ -1,4 +1,4 @@
-#include "grade/student_id.hpp"
+#include "grade/intake/student_id.hpp"
 
 #include "catch.hpp"
 

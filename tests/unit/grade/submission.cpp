@@ -1,4 +1,4 @@
-#include "grade/submission.hpp"
+#include "grade/intake/submission.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"

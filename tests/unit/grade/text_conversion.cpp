@@ -1,9 +1,9 @@
 // Texts as editors of all systems save them.
-#include "grade/text_conversion.hpp"
+#include "grade/intake/text_conversion.hpp"
 
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "grade/submission.hpp"
+#include "grade/intake/submission.hpp"
 #include "made_archive.hpp"
 
 using namespace atelier;

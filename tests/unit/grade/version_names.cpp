@@ -1,4 +1,4 @@
-#include "grade/version_names.hpp"
+#include "grade/intake/version_names.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,8 +1,8 @@
 // Several versions of one student's work, skeletons, and what a person must look at.
 #include "base/file.hpp"
 #include "catch.hpp"
-#include "grade/class_folder.hpp"
-#include "grade/submission.hpp"
+#include "grade/intake/class_folder.hpp"
+#include "grade/intake/submission.hpp"
 #include "made_archive.hpp"
 
 using namespace atelier;
