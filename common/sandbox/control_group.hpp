@@ -27,8 +27,7 @@ class ControlGroup {
   bool ran_out_of_memory() const;  ///< whether the system has killed a process of the group for want of memory
 
   /// Removes the groups that processes which have ended did not remove, and kills what is in them.
-  static void remove_abandoned(const std::filesystem::path& root = "/sys/fs/cgroup",
-                               const std::filesystem::path& own = "/proc/self/cgroup");
+  static void remove_abandoned(const std::filesystem::path& root = "/sys/fs/cgroup");
 
  private:
   ControlGroup() = default;
