@@ -53,18 +53,12 @@ std::string prefix_of_names() {
   return "atelier-" + space + '-';
 }
 
-/// The folder in which this process makes its groups of a controller of version 1; empty: there is none.
-fs::path place_in_first(const fs::path& root, const fs::path& own, const std::string& controller) {
-  const std::string group = own_group(own, controller);
-  return group.empty() ? fs::path() : root / controller / group.substr(1);
-}
-
 /// A folder of version 1 with one limit; an empty path without success.
 fs::path make_first(const fs::path& root, const fs::path& own, const std::string& name, const char* controller,
                     const char* limit, const std::string& value) {
-  const fs::path place = place_in_first(root, own, controller);
-  if (place.empty()) return {};
-  const fs::path folder = place / name;
+  const std::string group = own_group(own, controller);
+  if (group.empty()) return {};
+  const fs::path folder = root / controller / group.substr(1) / name;
   std::error_code error;
   fs::create_directory(folder, error);
   if (!error && write_value(folder / limit, value)) return folder;
@@ -129,15 +123,19 @@ void ControlGroup::kill_all() const {
   }
 }
 
-void ControlGroup::remove_abandoned(const fs::path& root, const fs::path& own) {
+// A group of version 1 lies in that of its maker, such as one session's, and the next grader may be in another one.
+void ControlGroup::remove_abandoned(const fs::path& root) {
   const std::string prefix = prefix_of_names();
-  for (const fs::path& place : {root, place_in_first(root, own, "memory"), place_in_first(root, own, "pids")}) {
-    if (place.empty() || ::access(place.c_str(), W_OK) != 0) continue;
+  const bool second = fs::exists(root / "cgroup.controllers");
+  for (const fs::path& place : second ? std::vector{root} : std::vector{root / "memory", root / "pids"}) {
+    if (::access(place.c_str(), W_OK) != 0) continue;
     std::error_code error;
     ControlGroup abandoned;  // removes its folders when it ends
-    for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
+    for (fs::recursive_directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error)) {
       const std::string name = entry->path().filename().string();
-      if (!name.starts_with(prefix)) continue;
+      const bool made_by_us = name.starts_with("atelier-");
+      if (second || made_by_us) entry.disable_recursion_pending();  // it may vanish at any moment
+      if (!made_by_us || !name.starts_with(prefix)) continue;
       const pid_t maker = pid_t(std::strtol(name.c_str() + prefix.size(), nullptr, 10));
       if (maker > 1 && ::kill(maker, 0) != 0 && errno == ESRCH) abandoned.folders_.push_back(entry->path());
     }

@@ -30,8 +30,7 @@ class ControlGroup {
   int memory_kills() const;  ///< how many processes of the group the system has killed for want of memory
 
   /// Removes the groups that processes which have ended did not remove, and kills what is in them.
-  static void remove_abandoned(const std::filesystem::path& root = "/sys/fs/cgroup",
-                               const std::filesystem::path& own = "/proc/self/cgroup");
+  static void remove_abandoned(const std::filesystem::path& root = "/sys/fs/cgroup");
 
  private:
   ControlGroup() = default;

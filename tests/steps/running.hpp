@@ -47,6 +47,7 @@ bool comes_true(Condition holds, double seconds = 60) {
       pause_shortly();
   return true;
 }
+
 /// A process, and its command or environment with spaces between the words.
 struct FoundProcess {
   pid_t number = 0;
