@@ -42,9 +42,9 @@ std::string suggestion(std::string_view name, const std::vector<std::string>& kn
 
 std::string join(const std::vector<std::string>& words, std::string_view separator) {
   std::string text;
-  for (const std::string& word : words) {
-    if (!text.empty()) text += separator;
-    text += word;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += separator;  // also behind a word that is empty
+    text += words[i];
   }
   return text;
 }

@@ -216,12 +216,15 @@ StepResult StepJudge::judge_all_alike(const Answer& answer) const {
   return result;
 }
 
-StepResult StepJudge::judge_absent(const std::string& why) const {
+StepResult StepJudge::judge_absent(const std::string& why, const std::string& hint) const {
   Answer answer;
   answer.error = why;
   StepResult result = judge_all_alike(answer);
   for (CaseResult& c : result.cases)
-    c.hint = fmt::format("All files of the step must be in {}/, each a regular file under its own name.", file_.step);
+    c.hint =
+        !hint.empty()
+            ? hint
+            : fmt::format("All files of the step must be in {}/, each a regular file under its own name.", file_.step);
   return result;
 }
 

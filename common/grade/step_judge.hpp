@@ -69,8 +69,10 @@ class StepJudge {
   /// The result if the files do not build: no points, and the compiler's messages or the unusable files.
   judge::StepResult judge_unbuilt(const judge::Built& built) const;
 
-  /// The result if nothing, or not everything, was handed in for this step; `why` is a sentence.
-  judge::StepResult judge_absent(const std::string& why = "Nothing was handed in for this step.") const;
+  /// The result if nothing, or not everything, was handed in for this step; `why` is a sentence, and so is
+  /// `hint`; empty: where the files must be.
+  judge::StepResult judge_absent(const std::string& why = "Nothing was handed in for this step.",
+                                 const std::string& hint = "") const;
 
  private:
   StepJudge(const Criteria& criteria, const std::vector<std::string>& only,

@@ -53,6 +53,12 @@ void ClassProgress::show() {
   std::fflush(stderr);
 }
 
+void ClassProgress::stopped() const {
+  const std::size_t all = plan_.folder.submissions.size();
+  fmt::print(stderr, "{}stopped: {} of {} are graded; start it again to go on\n", terminal_ ? "\r\x1b[K" : "",
+             all - ungraded(places_, plan_).size(), all);
+}
+
 std::string ClassProgress::words(std::size_t graded, std::size_t need_human) const {
   const std::size_t all = plan_.folder.submissions.size();
   std::string text = fmt::format("{} of {} graded", graded, all);

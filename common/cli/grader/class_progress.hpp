@@ -15,7 +15,8 @@ class ClassProgress {
  public:
   ClassProgress(const ClassPlaces& places, const ClassPlan& plan);
   ~ClassProgress();
-  void show();  ///< as often as one likes
+  void show();           ///< as often as one likes
+  void stopped() const;  ///< says how far it has come, and that it can go on
 
  private:
   std::string words(std::size_t graded, std::size_t need_human) const;

@@ -57,6 +57,11 @@ std::vector<std::string> doubts_about(const judge::StepResult& step, StepRecord:
   const auto has = [&](judge::Status status) {
     return std::ranges::any_of(step.cases, [&](const judge::CaseResult& c) { return c.status == status; });
   };
+  const auto unanswered = std::ranges::count(step.cases, judge::Status::missing, &judge::CaseResult::status);
+  if (state == StepRecord::State::judged && 2 * std::size_t(unanswered) > step.cases.size())
+    doubts.push_back(
+        fmt::format("{} gives no answer to {} of {} cases: {}", step.step, unanswered, step.cases.size(),
+                    std::ranges::find(step.cases, judge::Status::missing, &judge::CaseResult::status)->reason));
   if (has(judge::Status::timeout)) doubts.push_back(step.step + " ran out of time");
   return doubts;
 }
@@ -158,8 +163,7 @@ class ClassWorker {
     }
     key = sha256(key);
     if (reuse(handed_in, key)) return;
-    // Its reports are about to change: if this process is killed, the record must not stand beside those of others.
-    fs::remove(places_.record(handed_in.student.id));
+    const SubmissionRecord earlier = earlier_record(handed_in.student.id).value_or(SubmissionRecord{});
 
     std::vector<Graded> graded;
     std::vector<SubmissionRecord> records;
@@ -169,7 +173,7 @@ class ClassWorker {
     }
     Graded& counts = graded[grade::counting_version(records, rules_)];
     counts.record.key = key;
-    write(counts, all);
+    write(counts, earlier, all);
   }
 
   /// What decides on the verdict besides the files: cases, solutions, settings, and who handed in when.
@@ -229,6 +233,7 @@ class ClassWorker {
     record.seed = seed_for(handed_in, submission);
     graded.result = grader_.grade(submission, record.seed, {.interrupted = [&] { return stop_.requested(); }});
     graded.result.may_grow = true;
+    append(graded.result.notes, handed_in.notes);
     graded.result.submission = handed_in.student.name.empty() ? handed_in.student.id : handed_in.student.name;
     for (const judge::StepResult& step : graded.result.steps) {
       const StepRecord::State state = state_of(submission, step);
@@ -247,25 +252,27 @@ class ClassWorker {
   }
 
   /// Where only some steps are graded, the others stay as they are in the folder.
-  void keep_other_steps(Graded& graded, const fs::path& folder) const {
+  static void keep_other_steps(Graded& graded, const SubmissionRecord& earlier, const fs::path& folder) {
     for (judge::StepResult& step : judge::kept_steps(folder, graded.result.steps))
       graded.result.steps.push_back(std::move(step));
     std::ranges::stable_sort(graded.result.steps, {}, &judge::StepResult::step);
     grade::sum_up(graded.result);
-    SubmissionRecord earlier = earlier_record(graded.record.student.id).value_or(SubmissionRecord{});
-    for (StepRecord& step : earlier.steps)
+    for (const StepRecord& step : earlier.steps)
       if (std::ranges::none_of(graded.record.steps, [&](const StepRecord& other) { return other.step == step.step; }))
-        graded.record.steps.push_back(std::move(step));
+        graded.record.steps.push_back(step);
     std::ranges::stable_sort(graded.record.steps, {}, &StepRecord::step);
   }
 
-  void write(Graded& graded, const Stopwatch& all) {
+  void write(Graded& graded, const SubmissionRecord& earlier, const Stopwatch& all) {
     const fs::path folder = places_.student(graded.record.student.id);
     const Stopwatch reporting;
     judge::SubmissionResult& result = graded.result;
-    grade::write_mistake_pictures(folder, result);
+    grade::write_mistake_pictures(grade::pictures_folder(places_.out, graded.record), result);
     grade::limit_feedback(result, rules_.feedback);
-    keep_other_steps(graded, folder);
+    keep_other_steps(graded, earlier, folder);
+    // If this process is killed here, the old record must not stand beside new reports.
+    require_own_plan();
+    fs::remove(places_.record(graded.record.student.id));
     write_result_files(result, folder);
     double known = graded.record.seconds["report"] = reporting.seconds();
     for (const auto& [kind, seconds] : graded.record.seconds)

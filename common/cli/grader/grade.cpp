@@ -101,7 +101,7 @@ int run_grade(const GradeOptions& options) {
        .judged = [&](const std::string& step, std::size_t k, std::size_t n) { progress.judged(step, k, n); },
        .finished = [&](const StepResult& step) { progress.finished(step); }});
   progress.clear();
-  set_rerun_commands(result, submission.source, source);
+  if (options.cases.empty()) set_rerun_commands(result, submission.source, source);
 
   // Write the files before printing, since stdout may be closed; but print the verdict even if writing fails.
   std::exception_ptr not_written;

@@ -102,6 +102,22 @@ ClassPlan make_plan(const GradeOptions& options, const ClassPlaces& places, cons
   return plan;
 }
 
+/// The results of two classes must not lie in one folder.
+void refuse_other_class(const ClassPlaces& places, const std::string& name) {
+  if (!fs::exists(places.plan())) return;
+  std::string there;
+  try {
+    there = read_plan(places).name;
+  } catch (const Error&) {
+    return;  // of another version
+  }
+  if (there != name)
+    throw Error(
+        fmt::format("--out {}: has the results of the class '{}', and this one is '{}'; name another folder, or "
+                    "remove {} if it is the same class",
+                    places.out.string(), there, name, places.plan().string()));
+}
+
 grade::ClassSummary summary_of(const ClassPlan& plan, const ProjectFolders& folders,
                                const std::vector<CourseStep>& steps, double seconds) {
   grade::ClassSummary summary{
@@ -135,12 +151,14 @@ bool is_kept(const ClassPlaces& places, const grade::SubmissionRecord& record) {
   return !missing && written < fs::last_write_time(places.plan());
 }
 
-void print_summary(const ClassPlaces& places, const std::vector<grade::SubmissionRecord>& records, double seconds) {
+void print_summary(const ClassPlaces& places, const grade::ClassResults& results) {
   const auto need_human =
-      std::ranges::count_if(records, [](const auto& record) { return !record.needs_human.empty(); });
-  const auto kept = std::ranges::count_if(records, [&](const auto& record) { return is_kept(places, record); });
-  fmt::print("{} submissions: {} graded in {}, {} kept from before\n", records.size(),
-             std::ptrdiff_t(records.size()) - kept, duration_words(seconds), kept);
+      std::ranges::count_if(results.rows, [](const auto& row) { return !row.grade.needs_human.empty(); });
+  const auto kept = std::ranges::count_if(results.rows, [&](const auto& row) { return is_kept(places, row.record); });
+  fmt::print("{} submissions: {} graded in {}, {} kept from before\n", results.rows.size(),
+             std::ptrdiff_t(results.rows.size()) - kept, duration_words(results.summary.seconds), kept);
+  if (const std::size_t ignored = results.summary.ignored.size(); ignored > 0)
+    fmt::print("{} {} no submission: see the end of class.html\n", ignored, ignored == 1 ? "entry is" : "entries are");
   if (need_human > 0)
     fmt::print("{} need{} a person: see {}\n", need_human, need_human == 1 ? "s" : "",
                (places.out / "class.html").string());
@@ -169,6 +187,7 @@ int run_grade_class(const GradeOptions& options) {
   for (const fs::path& folder : {places.out, places.state()}) remove_unfinished_files(folder);
   const TemporaryPlace temporary(places.temporary());
   sandbox::ControlGroup::remove_abandoned();
+  refuse_other_class(places, name_of_class(options));
   fs::remove_all(places.unpacked());
   const ClassPlan plan = make_plan(options, places, folders, steps, rules);
   write_plan(places, plan);
@@ -181,12 +200,17 @@ int run_grade_class(const GradeOptions& options) {
                                   .arguments = options.engine_arguments,
                                   .interrupted = [&] { return stop.requested(); },
                                   .waiting = [&] { progress.show(); }};
-    options.engine == "slurm" ? run_slurm_engine(settings, plan) : run_local_engine(settings, plan);
+    try {
+      options.engine == "slurm" ? run_slurm_engine(settings, plan) : run_local_engine(settings, plan);
+    } catch (const judge::Interrupted&) {
+      progress.stopped();
+      throw;
+    }
   }
   const std::vector<grade::SubmissionRecord> records = read_records(places, plan);
-  const double seconds = watch.seconds();
-  grade::write_class_results(places.out, rules, summary_of(plan, folders, steps, seconds), records);
-  print_summary(places, records, seconds);
+  const grade::ClassSummary summary = summary_of(plan, folders, steps, watch.seconds());
+  grade::write_class_results(places.out, rules, summary, records);
+  print_summary(places, grade::class_results(places.out, rules, summary, records));
   return exit_ok;
 }
 

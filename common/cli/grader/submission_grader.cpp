@@ -114,6 +114,7 @@ judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submiss
   result.submission = submission.name;
   result.environment = environment_;
   result.notes = submission.notes;
+  result.notes.insert(result.notes.end(), submission.needs_human.begin(), submission.needs_human.end());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     if (is_there(folders_, steps_[i].name, Owner::solution))
       result.seed = seed;
@@ -133,7 +134,8 @@ StepResult SubmissionGrader::grade_step(const grade::Submission& submission, con
     return judge.judge_absent(fmt::format("The folder {} {}.", step.name, found->second));
   if (!submission.present.contains(step.name)) return judge.judge_absent();
   if (submission.untouched.contains(step.name))
-    return judge.judge_absent("The skeleton was handed in as it was given, so nothing is judged.");
+    return judge.judge_absent("The skeleton was handed in as it was given, so nothing is judged.",
+                              "Hand in the files that you have changed.");
   if (const auto found = submission.unusable.find(step.name); found != submission.unusable.end())
     return judge.judge_unbuilt(judge::not_built(found->second));
 

@@ -117,7 +117,7 @@ StepRules CourseReader::read_step(const TomlValue& table) const {
   for (const TomlValue& value : members(table, {"points", "deadline"})) {
     if (value.key == "points") rules.points = number(value, 0, 10000);
     if (value.key == "deadline") {
-      if (!value.moment) refuse(value, "a date with time and offset, such as 2026-11-02T23:59:00+01:00");
+      if (!value.moment) refuse(value, "a date with time and offset, without quotes, such as 2026-11-02T23:59:00+01:00");
       rules.deadline = value.moment;
       rules.deadline_text = value.text;
     }

@@ -75,7 +75,7 @@ std::string needs_human_html(const ClassResults& results, const ClassStatistics&
 std::string picture_html(const ClassResults& results, const MistakeStatistics& mistake) {
   for (const ClassRow* row : mistake.students) {
     const std::filesystem::path file =
-        mistake_picture(results.folder / report_folder(row->record), mistake.step, mistake.mistake);
+        mistake_picture(pictures_folder(results.folder, row->record), mistake.step, mistake.mistake);
     std::error_code none;
     const std::uintmax_t size = std::filesystem::file_size(file, none);
     if (none || size > mistake_picture_limit) continue;

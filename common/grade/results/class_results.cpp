@@ -13,6 +13,7 @@
 #include "grade/results/class_report.hpp"
 #include "grade/results/gradebook.hpp"
 #include "grade/results/student_comment.hpp"
+#include "judge/report/report_words.hpp"
 
 namespace atelier::grade {
 namespace {
@@ -74,6 +75,33 @@ double seconds_of_work(const SubmissionRecord& record) {
   return sum;
 }
 
+namespace {
+
+/// How the course's rules have turned the points of the report into a grade; nothing where they are the same.
+std::string grade_in_words(const ClassRow& row) {
+  std::string lines;
+  double earned = 0;
+  for (const StepRecord& step : row.record.steps) earned += step.score;
+  for (const StepGrade& step : row.grade.steps) {
+    if (step.state != StepRecord::State::judged) continue;
+    lines += fmt::format("{}: {} of {} points", step.step, judge::points_text(step.points),
+                         judge::points_text(step.max_points));
+    if (step.penalty > 0)
+      lines += fmt::format("; {} taken off for {} started day{} after the deadline", judge::points_text(step.penalty),
+                           step.days_late, step.days_late == 1 ? "" : "s");
+    lines += ".\n";
+  }
+  if (rounded_points(earned) == rounded_points(row.grade.points - row.grade.adjustment)) return "";
+  return fmt::format("In the course: {} of {} points.\n{}", judge::points_text(row.grade.points),
+                     judge::points_text(row.grade.max_points), lines);
+}
+
+std::string with_grade(const ClassRow& row) {
+  return grade_in_words(row) + row.comment;
+}
+
+}  // namespace
+
 void write_class_results(const fs::path& out, const CourseFile& course, const ClassSummary& summary,
                          const std::vector<SubmissionRecord>& records) {
   const ClassResults results = class_results(out, course, summary, records);
@@ -84,7 +112,7 @@ void write_class_results(const fs::path& out, const CourseFile& course, const Cl
                     {out / "junit.xml", writes(class_junit_xml(results))}});
   create_comments(out / "comments.csv");
   for (const ClassRow& row : results.rows)
-    set_comment(out / report_folder(row.record) / "report.html", row.comment, row.grade.adjustment);
+    set_comment(out / report_folder(row.record) / "report.html", with_grade(row), row.grade.adjustment);
 }
 
 }  // namespace atelier::grade

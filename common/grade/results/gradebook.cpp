@@ -32,9 +32,26 @@ std::string adjustment_text(double points) {
   return points < 0 ? "-" + points_text(-points) : points_text(points);
 }
 
+bool is_handed_in(StepRecord::State state) {
+  return state != StepRecord::State::not_handed_in && state != StepRecord::State::untouched;
+}
+
+/// Empty where nothing was handed in: nobody has failed, and a person may have to look.
+std::string total_cell(const ClassRow& row) {
+  const bool any = std::ranges::any_of(row.grade.steps, [](const StepGrade& step) { return is_handed_in(step.state); });
+  return any || row.grade.points > 0 ? points_text(row.grade.points) : "";
+}
+
+/// "One; two": sentences may end with a full stop or not.
+std::string in_one_line(std::vector<std::string> sentences) {
+  for (std::string& sentence : sentences)
+    if (sentence.ends_with('.')) sentence.pop_back();
+  return join(sentences, "; ");
+}
+
 std::string points_cell(const ClassRow& row, const std::string& step) {
   for (const StepGrade& grade : row.grade.steps)
-    if (grade.step == step && grade.state != StepRecord::State::not_handed_in) return points_text(grade.points);
+    if (grade.step == step && is_handed_in(grade.state)) return points_text(grade.points);
   return "";
 }
 
@@ -50,11 +67,11 @@ std::string cell(const ClassRow& row, const GradebookColumn& column) {
     case Field::step:
       return points_cell(row, column.argument);
     case Field::total:
-      return points_text(row.grade.points);
+      return total_cell(row);
     case Field::late:
       return row.grade.late ? "yes" : "";
     case Field::needs_human:
-      return row.grade.needs_human.empty() ? "" : safe_cell("yes: " + join(row.grade.needs_human, " "));
+      return row.grade.needs_human.empty() ? "" : safe_cell("yes: " + in_one_line(row.grade.needs_human));
     case Field::report:
       return report_folder(row.record);
     case Field::adjustment:

@@ -81,7 +81,7 @@ std::string with_comment(const std::string& page, const std::string& text) {
   const std::size_t begin = page.find(comment_begin), end = page.find(comment_end, begin);
   if (begin == std::string::npos || end == std::string::npos) return page;
   const std::string html =
-      text.empty() ? "" : "<p class=\"label\">Comment</p>\n<p class=\"comment\">" + escape_markup(text) + "</p>\n";
+      text.empty() ? "" : "<p class=\"label\">From your course</p>\n<p class=\"comment\">" + escape_markup(text) + "</p>\n";
   return page.substr(0, begin + comment_begin.size()) + html + page.substr(end);
 }
 

@@ -197,9 +197,9 @@ TEST_CASE("JUnit XML of a class has a suite per student and a case per step") {
             "does not compile", "<skipped message=\"not handed in\"/>", "<system-out>9 / 9 points</system-out>"}));
 }
 
-TEST_CASE("a mistake is shown with the picture that a student's folder has") {
+TEST_CASE("a mistake is shown with the picture of a student who made it") {
   const TemporaryFolder folder;
-  const fs::path student = folder.path() / "students/ada-lovelace";
+  const fs::path student = pictures_folder(folder.path(), test::ada());
   write_mistake_pictures(student, mistaken_result(300));
   const fs::path picture = mistake_picture(student, "02-blinn-phong", "rv-for-nh");
   REQUIRE(fs::exists(picture));
@@ -259,6 +259,6 @@ TEST_CASE("if a file of a class cannot be written, none is replaced") {
 
 TEST_CASE("a class for people to look at, in the folder atelier-class of temporary files", "[.sample]") {
   const fs::path out = fs::temp_directory_path() / "atelier-class";
-  write_mistake_pictures(out / "students/student-001", mistaken_result(300));
+  write_mistake_pictures(out / "pictures/student-001", mistaken_result(300));
   write_class_results(out, {}, test::made_up_summary(), test::made_up_class(60));
 }

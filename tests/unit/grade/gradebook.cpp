@@ -42,7 +42,7 @@ TEST_CASE("a gradebook has the usual columns and a row for each student, sorted 
   CHECK(gradebook_csv(results_of({grace, test::ada()})) ==
         "student,id,01-transforms,02-blinn-phong,03-shadow-mapping,total,late,needs_human,report\r\n"
         "Ada Lovelace,ada-lovelace,7.5,12,,19.5,,,students/ada-lovelace\r\n"
-        "hopper.zip,grace-hopper,,0,,0,yes,\"yes: One. Two, too.\",students/grace-hopper\r\n");
+        "hopper.zip,grace-hopper,,0,,0,yes,\"yes: One; Two, too\",students/grace-hopper\r\n");
   CHECK(gradebook_csv(results_of({})) == "student,id,total,late,needs_human,report\r\n");
 }
 
@@ -54,6 +54,19 @@ TEST_CASE("a gradebook has the columns of course.toml") {
   course.byte_order_mark = true;
   CHECK(gradebook_csv(results_of({test::ada()}, course, "id,points,comment\nada-lovelace,-1.25,\"well, well\"\n")) ==
         "\xEF\xBB\xBFID,'=Light,Term,None,Off,Said\r\n4711,12,\"winter, 2026\",,-1.25,\"well, well\"\r\n");
+}
+
+TEST_CASE("an empty cell stays a cell, also the first of its row") {
+  CourseFile course;
+  course.columns = {{"Late", Field::late, ""}, {"ID", Field::id, ""}, {"Note", Field::text, ""}};
+  CHECK(gradebook_csv(results_of({test::ada()}, course)) == "Late,ID,Note\r\n,ada-lovelace,\r\n");
+}
+
+TEST_CASE("where nothing but the skeleton was handed in there are no points, not 0") {
+  SubmissionRecord grace{.student = {"grace-hopper", "", ""}, .source = "hopper.zip"};
+  grace.steps = {test::step_record("02-blinn-phong", 0, 20, StepRecord::State::untouched),
+                 test::step_record("03-shadow-mapping", 0, 30, StepRecord::State::not_handed_in)};
+  CHECK(mentions(gradebook_csv(results_of({grace})), {"hopper.zip,grace-hopper,,,,,,"}));
 }
 
 TEST_CASE("two students of one name keep their rows, two records of one id are refused") {
