@@ -257,9 +257,15 @@ class ClassWorker {
       graded.result.steps.push_back(std::move(step));
     std::ranges::stable_sort(graded.result.steps, {}, &judge::StepResult::step);
     grade::sum_up(graded.result);
-    for (const StepRecord& step : earlier.steps)
-      if (std::ranges::none_of(graded.record.steps, [&](const StepRecord& other) { return other.step == step.step; }))
-        graded.record.steps.push_back(step);
+    const auto is_graded = [&](const StepRecord& step) {
+      return std::ranges::any_of(graded.record.steps, [&](const StepRecord& other) { return other.step == step.step; });
+    };
+    std::vector<StepRecord> kept = earlier.steps;
+    std::erase_if(kept, is_graded);
+    for (const StepRecord& step : kept)
+      for (const std::string& doubt : earlier.needs_human)
+        if (doubt.starts_with(step.step)) graded.record.needs_human.push_back(doubt);
+    graded.record.steps.insert(graded.record.steps.end(), kept.begin(), kept.end());
     std::ranges::stable_sort(graded.record.steps, {}, &StepRecord::step);
   }
 
