@@ -143,11 +143,11 @@ std::map<std::string, GradescopeSubmission> read_gradescope_metadata(const std::
       if (const auto created = value("  :created_at:")) current->created = seconds_of(*created);
     } else if (in_submitters) {
       auto name = value("  - :name:"), number = value("    :sid:"), address = value("    :email:");
-      if (name && !name->empty()) current->name += (current->name.empty() ? "" : ", ") + *name;
-      if (number && !number->empty() &&
-          (current->identifier.empty() || current->identifier.find('@') != std::string::npos))
-        current->identifier = *number;
-      if (address && current->identifier.empty()) current->identifier = *address;
+      auto& submitters = current->submitters;
+      if (line.starts_with("  - ") || submitters.empty()) submitters.emplace_back();
+      if (name) submitters.back().name = *name;
+      if (number && !number->empty()) submitters.back().identifier = *number;
+      if (address && submitters.back().identifier.empty()) submitters.back().identifier = *address;
     }
   }
   return found;

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace atelier::grade {
 
@@ -33,10 +34,14 @@ std::string uploaded_name(const std::string& entry);
 
 inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
 
+struct GradescopeSubmitter {
+  std::string name;        ///< empty: not in the file
+  std::string identifier;  ///< the student number, or else the e-mail address; empty: not in the file
+};
+
 struct GradescopeSubmission {
-  std::string name;        ///< of all submitters: "Ada Lovelace, Charles Babbage"; empty: not in the file
-  std::string identifier;  ///< the first submitter's student number, or e-mail address; empty: not in the file
-  std::optional<std::int64_t> created;  ///< seconds since 1970, UTC
+  std::vector<GradescopeSubmitter> submitters;  ///< several of a group
+  std::optional<std::int64_t> created;          ///< seconds since 1970, UTC
 };
 
 /// Reads who submitted what from submission_metadata.yml, by "submission_123456". What is not as Gradescope writes it

@@ -288,7 +288,9 @@ void take_version(const judge::StepFlags& flags, const fs::path& source, const C
     else
       taker.note_unread(sentence);
   if (version.places.steps.empty() && version.files.unread.empty())
-    taker.need_human(fmt::format("{} has none of the steps{}", name, what_is_there(version.files)));
+    taker.need_human(version.files.files.empty() && version.files.others.empty() && version.files.notes.empty()
+                         ? name + " is empty: nothing was handed in"
+                         : fmt::format("{} has none of the steps{}", name, what_is_there(version.files)));
 }
 
 /// Takes single files together, as if they lay in one folder. Returns the names of files that no step lists.

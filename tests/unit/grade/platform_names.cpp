@@ -73,12 +73,16 @@ submission_333:
 )"));
   const auto found = read_gradescope_metadata(folder.path() / gradescope_metadata);
   REQUIRE(found.size() == 3);
-  CHECK(found.at("submission_111").name == "Ada Lovelace");
-  CHECK(found.at("submission_111").identifier == "12 34");
+  REQUIRE(found.at("submission_111").submitters.size() == 1);
+  CHECK(found.at("submission_111").submitters[0].name == "Ada Lovelace");
+  CHECK(found.at("submission_111").submitters[0].identifier == "12 34");
   CHECK(found.at("submission_111").created == 1709677800);
-  CHECK(found.at("submission_222").name == "Bob \"B\" O'Neil, Carl 'C'");
-  CHECK(found.at("submission_222").identifier == "77");
+  REQUIRE(found.at("submission_222").submitters.size() == 2);
+  CHECK(found.at("submission_222").submitters[0].name == "Bob \"B\" O'Neil");
+  CHECK(found.at("submission_222").submitters[0].identifier == "bob@example.org");
+  CHECK(found.at("submission_222").submitters[1].name == "Carl 'C'");
+  CHECK(found.at("submission_222").submitters[1].identifier == "77");
   CHECK(found.at("submission_222").created == 86401);
-  CHECK(found.at("submission_333").name == "");
+  CHECK(found.at("submission_333").submitters.empty());
   CHECK_FALSE(found.at("submission_333").created);
 }

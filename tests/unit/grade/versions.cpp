@@ -161,7 +161,7 @@ TEST_CASE("nothing in the sources is an exception") {
   CHECK(taken.needs_human[0].starts_with("a.rar is a RAR archive"));
   CHECK(taken.needs_human[1] == "nowhere is missing");
   CHECK(taken.needs_human[2] == "link is a symbolic link, which is not followed");
-  CHECK(taken.needs_human[3] == "empty has none of the steps");
+  CHECK(taken.needs_human[3] == "empty is empty: nothing was handed in");
   REQUIRE(taken.notes.size() == 1);
   CHECK(taken.notes[0].starts_with("big.zip 02-light-up/light.cpp inflates to more than 200 times"));
   CHECK(take_versions(folder.path(), {}).present.empty());
