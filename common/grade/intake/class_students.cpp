@@ -245,13 +245,15 @@ HandedIn ClassStudents::hand_in_one(Gathered& gathered) {
                   .notes = gathered.notes,
                   .needs_human = gathered.needs_human};
   std::vector<std::string> names;
+  for (const auto& [order, item] : items) names.push_back(item.name);
+  names = names_for_sentences(names);
   bool ordered = true, archives_or_folders = true;
   for (const auto& [order, item] : items) {
     handed.sources.push_back(item.path);
-    names.push_back("'" + shown_label(item.relative) + "'");
     ordered &= order > 0;
     archives_or_folders &= item.entry.is_folder || has_archive_name(item.name);
   }
+  for (std::string& name : names) name = "'" + shown_label(name) + "'";
   if (items.size() > 1 && archives_or_folders) {
     const std::string several =
         fmt::format("handed in {}; of a step in several, the one in {} counts", join(names), names.back());

@@ -32,6 +32,10 @@ std::optional<PlatformName> gradescope_name(const std::string& entry);
 /// The name that an uploaded file had: "light.cpp" for "lovelaceada_123_456_light.cpp". Other names are unchanged.
 std::string uploaded_name(const std::string& entry);
 
+/// The names for sentences about several entries of a student: as uploaded, where that tells them apart, and otherwise
+/// whole. That of Moodle's folder for a student is the student's.
+std::vector<std::string> names_for_sentences(const std::vector<std::string>& entries);
+
 inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
 
 struct GradescopeSubmitter {

@@ -222,7 +222,6 @@ class SubmissionTaker {
 
 Version read_version(const judge::StepFlags& flags, const fs::path& source, const Compare& compare) {
   Version version;
-  version.name = shown_name(fs::weakly_canonical(source).filename().string());
   if (fs::is_directory(source)) version.folder = source;
   version.files = read_source(flags, source);
   version.places = find_steps(flags, version.files, compare);
@@ -269,9 +268,8 @@ bool is_folder_of_one_step(const judge::StepFlags& flags, const Version& version
 }
 
 /// Reads one of several versions; what is wrong with it goes to those who must look at it.
-void take_version(const judge::StepFlags& flags, const fs::path& source, const Compare& compare,
-                  SubmissionTaker& taker) {
-  const std::string name = shown_name(source.filename().string());
+void take_version(const judge::StepFlags& flags, const fs::path& source, const std::string& name,
+                  const Compare& compare, SubmissionTaker& taker) {
   Version version;
   try {
     version = read_version(flags, source, compare);
@@ -281,6 +279,7 @@ void take_version(const judge::StepFlags& flags, const fs::path& source, const C
     taker.need_human(fmt::format("{} {}", name, shorten(printable(what), 300)));
     return;
   }
+  version.name = name;
   taker.take(version);
   for (const std::string& sentence : version.files.unread)
     if (version.places.steps.empty())
@@ -300,7 +299,7 @@ void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>
   std::map<std::string, fs::path> by_name;
   std::vector<std::string> others;
   for (const fs::path& file : files) {
-    const std::string shown = shown_name(file.filename().string()), uploaded = uploaded_name(file.filename().string());
+    const std::string uploaded = uploaded_name(file.filename().string()), shown = shown_name(uploaded);
     const std::string listed = names.find(uploaded);
     if (listed.empty()) {
       others.push_back(shown);
@@ -348,16 +347,19 @@ Submission take_submission(const judge::StepFlags& flags, const std::vector<fs::
   SubmissionTaker taker(flags, folder);
   const Compare compare = compare_with(skeletons);
   std::vector<fs::path> loose;
-  for (const fs::path& source : sources) {
+  std::vector<std::string> names;
+  for (const fs::path& source : sources) names.push_back(source.filename().string());
+  const std::vector<std::string> shown = names_for_sentences(names);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const fs::path& source = sources[i];
     std::error_code error;
     const fs::file_type type = fs::symlink_status(source, error).type();
-    const std::string name = source.filename().string();
-    if (type == fs::file_type::directory || (type == fs::file_type::regular && has_archive_name(name)))
-      take_version(flags, source, compare, taker);
+    if (type == fs::file_type::directory || (type == fs::file_type::regular && has_archive_name(names[i])))
+      take_version(flags, source, shown_name(shown[i]), compare, taker);
     else if (type == fs::file_type::regular)
       loose.push_back(source);
     else
-      taker.need_human(fmt::format("{} {}", shown_name(name),
+      taker.need_human(fmt::format("{} {}", shown_name(shown[i]),
                                    type == fs::file_type::not_found ? judge::is_missing
                                    : type == fs::file_type::symlink ? judge::is_link
                                                                     : "is neither a folder nor a regular file"));

@@ -238,16 +238,17 @@ TEST_CASE("several files of one student on Canvas: the platform's order decides"
   const ClassFolder found = delivery.find();
   REQUIRE(ids_of(found) == Ids{"ada-1", "bob-2", "carl-3"});
   CHECK(found.submissions[0].needs_human.empty());
-  CHECK(any_says(found.submissions[0].notes, "the one in 'ada_1_10_hw-1.zip' counts, the newest"));
+  CHECK(any_says(found.submissions[0].notes,
+                 "handed in 'hw.zip', 'hw-1.zip'; of a step in several, the one in 'hw-1.zip' counts, the newest"));
   const Submission ada = delivery.take(found.submissions[0]);
   CHECK(read_file(ada.folder / "01-move/move.cpp") == "new");
   CHECK(read_file(ada.folder / "03-cast-shadows/shadows.cpp") == "old");
-  CHECK(any_says(ada.notes, "01-move is in ada_1_9_hw.zip too; the newer in ada_1_10_hw-1.zip counts"));
+  CHECK(any_says(ada.notes, "01-move is in hw.zip too; the newer in hw-1.zip counts"));
   CHECK(ada.needs_human.empty());
   const Submission bob = delivery.take(found.submissions[1]);
   CHECK(bob.present == std::set<std::string>{"02-light-up"});
   CHECK(bob.unusable.empty());
-  CHECK(any_says(delivery.take(found.submissions[2]).needs_human, "has carl_3_1_report.pdf, but none of the steps'"));
+  CHECK(any_says(delivery.take(found.submissions[2]).needs_human, "has report.pdf, but none of the steps'"));
 }
 
 TEST_CASE("versions of one student beside each other are one submission, for a person to look at") {
@@ -288,7 +289,7 @@ TEST_CASE("work whose student is unknown is a submission for a person to look at
        {"carl-assignsubmission-file", "dora-1"},
        "whose is it?"},
       {{{"dora_1_2_move.cpp", "m"}, {"emil_3_4_move.cpp", "m"}, {"carl.pdf", "x"}, {"grades.csv", "x"}},
-       {"carl", "dora-1", "emil-3"},
+       {"carl.pdf", "dora-1", "emil-3"},
        "'carl.pdf' is not named as Canvas names files"},
       {{{"submission_2/move.cpp", "m"}, {"carl.rar", "Rar!"}, {"pictures/a.png", "x"}},
        {"carl", "2"},

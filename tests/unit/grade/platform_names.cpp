@@ -42,6 +42,14 @@ TEST_CASE("uploaded files have the names that they had") {
   CHECK(uploaded_name("light_up.cpp") == "light_up.cpp");
 }
 
+TEST_CASE("sentences name entries as they were uploaded, where that tells them apart") {
+  using Names = std::vector<std::string>;
+  CHECK(names_for_sentences({"ada_1_2_hw.zip", "ada_1_3_hw-1.zip"}) == Names{"hw.zip", "hw-1.zip"});
+  CHECK(names_for_sentences({"ada_1_2_hw.zip", "ada_1_3_hw.zip"}) == Names{"ada_1_2_hw.zip", "ada_1_3_hw.zip"});
+  CHECK(names_for_sentences({"Ada L_1_assignsubmission_file_"}) == Names{"Ada L"});
+  CHECK(names_for_sentences({"submission_1"}) == Names{"submission_1"});
+}
+
 TEST_CASE("Gradescope's metadata name the students") {
   const TemporaryFolder folder;
   write_file(folder.path() / gradescope_metadata, std::string_view(R"(---
