@@ -222,6 +222,7 @@ class ClassFinder {
       if (!owners.contains(of)) class_.ignored.push_back(sentence);
       const bool could_be_steps =
           of == path || has_archive_name(name) || !names.find(name).empty() || flags_.files.contains(name);
+      for (HandedIn* owner : owners[of]) std::erase(owner->sources, path);  // else it would be missing too
       for (HandedIn* owner : owners[of]) (could_be_steps ? owner->needs_human : owner->notes).push_back(sentence);
     }
   }

@@ -320,9 +320,10 @@ void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>
 
 }  // namespace
 
-Submission take_submission(const judge::StepFlags& flags, const fs::path& source, const fs::path& folder) {
+Submission take_submission(const judge::StepFlags& flags, const fs::path& source, const fs::path& folder,
+                           const fs::path& skeletons) {
   if (!fs::exists(source)) throw Error(fmt::format("{}: there is no such folder or archive", source.string()));
-  const Version version = read_version(flags, source, {});
+  const Version version = read_version(flags, source, compare_with(skeletons));
   if (!version.places.two_folders.empty())
     throw Error(
         fmt::format("{}: has steps in two folders, {}; name one of them", source.string(), version.places.two_folders));
