@@ -305,8 +305,22 @@ void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>
       others.push_back(shown);
       continue;
     }
-    if (const auto [at, fresh] = by_name.insert_or_assign(listed, file); !fresh)
-      taker.note(fmt::format("{} was handed in twice; {} counts", listed, shown));
+    const auto [at, fresh] = by_name.try_emplace(listed, file);
+    if (fresh) continue;
+    const std::string before = shown_name(uploaded_name(at->second.filename().string()));
+    const auto all_are = [&](const fs::path& path, Against against) {
+      const SourceFile one{.at = path, .bytes = {}, .why_unusable = {}};
+      return compare && std::ranges::all_of(names.steps_with(listed), [&](const std::string& step) {
+               return compare(one, step, listed) == against;
+             });
+    };
+    if (all_are(file, Against::skeleton) && all_are(at->second, Against::changed)) {
+      taker.need_human(fmt::format("{} was handed in twice; {}, the later, is as in the skeleton, and {} counts",
+                                   listed, shown, before));
+      continue;
+    }
+    at->second = file;
+    taker.note(fmt::format("{} was handed in twice; {} counts", listed, shown));
   }
   Version version;
   version.name = "single files";

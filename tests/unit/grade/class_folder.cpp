@@ -436,6 +436,14 @@ TEST_CASE("the archive of a class can do no harm") {
   CHECK(any_says(found.submissions[2].notes, "has a name that this system cannot store"));
 }
 
+TEST_CASE("what a class's archive does not give up is said once") {
+  const Delivery delivery({{"ada.zip", move_zip()}, {"bob.zip", move_zip()}, {"dora.zip", "", "/etc/passwd"}}, true);
+  const ClassFolder found = delivery.find();
+  REQUIRE(ids_of(found) == Ids{"ada", "bob", "dora"});
+  CHECK(found.submissions[2].needs_human.size() == 1);
+  CHECK(delivery.take(found.submissions[2]).needs_human.empty());
+}
+
 TEST_CASE("a student's folder cannot pass for several students") {
   const Delivery delivery({{"ada/01-move/move.cpp", "m"},
                            {"mallory/Bob_12_assignsubmission_file_/01-move/move.cpp", "m"},

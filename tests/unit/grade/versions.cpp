@@ -147,6 +147,13 @@ TEST_CASE("the skeleton handed in after a changed step does not count, and a per
   CHECK(taken.needs_human ==
         Sentences{"01-move was handed in changed in 1.zip and later, in 2.zip, as in the skeleton; the changed one "
                   "counts, unless the student meant to withdraw it"});
+  write_file(folder.path() / "move.cpp", std::string_view("solved"));
+  write_file(folder.path() / "move-1.cpp", std::string_view("given"));
+  const Submission loose = take_versions(folder.path(), {"move.cpp", "move-1.cpp"}, skeletons);
+  CHECK(read_file(loose.folder / "01-move/move.cpp") == "solved");
+  CHECK(loose.needs_human ==
+        Sentences{"move.cpp was handed in twice; move-1.cpp, the later, is as in the skeleton, and "
+                  "move.cpp counts"});
 }
 
 TEST_CASE("nothing in the sources is an exception") {
