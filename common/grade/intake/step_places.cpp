@@ -252,7 +252,7 @@ class StepFinder {
       places_.notes.push_back(fmt::format("{} {} in {}; the changed one in {} counts", step,
                                           before.untouched ? "is as in the skeleton" : "has no usable file",
                                           shown_folder(before.folder), chosen));
-      if (placed_.at(step).depth >= of_given || depth_of(place.folder) >= of_given)
+      if (depth_of(place.folder) >= of_given)
         places_.needs_human.push_back(
             fmt::format("{} is taken from {}, which is named as a folder of the course or a compiler", step, chosen));
       if (changed.size() > 1)

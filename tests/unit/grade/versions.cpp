@@ -117,6 +117,21 @@ TEST_CASE("a changed copy counts before an untouched one, wherever both are") {
   CHECK(read_file(taken.folder / "02-light-up/light.glsl") == "g\n");
 }
 
+TEST_CASE("of two folders of steps the one with changed files counts, step by step, also if its name is older") {
+  const TemporaryFolder folder;
+  const fs::path skeletons = folder.path() / "skeletons", ada = folder.path() / "ada";
+  for (const char* file : {"01-move/move.cpp", "03-cast-shadows/shadows.cpp"})
+    for (const fs::path& place : {skeletons, ada / "v1", ada / "v2"})
+      write_file(place / file, std::string_view("given\n"));
+  write_file(ada / "v1/01-move/move.cpp", std::string_view("solved"));
+  write_file(ada / "v2/03-cast-shadows/shadows.cpp", std::string_view("solved too"));
+  const Submission taken = take_versions(folder.path(), {"ada"}, skeletons);
+  CHECK(taken.untouched.empty());
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "solved");
+  CHECK(read_file(taken.folder / "03-cast-shadows/shadows.cpp") == "solved too");
+  CHECK_FALSE(taken.needs_human.empty());
+}
+
 TEST_CASE("a person is told of files beside an untouched step") {
   const TemporaryFolder folder;
   const fs::path skeletons = folder.path() / "skeletons", ada = folder.path() / "ada";
