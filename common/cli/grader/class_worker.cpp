@@ -49,9 +49,10 @@ StepRecord::State state_of(const Submission& submission, const judge::StepResult
 }
 
 /// What a person must look at, since the points alone would be a harsh answer.
-std::vector<std::string> doubts_about(const judge::StepResult& step, StepRecord::State state) {
+std::vector<std::string> doubts_about(const Submission& submission, const judge::StepResult& step,
+                                      StepRecord::State state) {
   std::vector<std::string> doubts;
-  if (state == StepRecord::State::not_built)
+  if (state == StepRecord::State::not_built && !submission.unusable.contains(step.step))  // said with the submission
     doubts.push_back(fmt::format("{} was handed in and could not be built: {}", step.step,
                                  step.cases.empty() ? "no reason given" : step.cases.front().reason));
   const auto has = [&](judge::Status status) {
@@ -238,7 +239,7 @@ class ClassWorker {
     for (const judge::StepResult& step : graded.result.steps) {
       const StepRecord::State state = state_of(submission, step);
       record.steps.push_back(grade::record_of(step, state));
-      append(record.needs_human, doubts_about(step, state));
+      append(record.needs_human, doubts_about(submission, step, state));
       for (const auto& [kind, seconds] : step.seconds) record.seconds[kind] += seconds;
     }
     return graded;

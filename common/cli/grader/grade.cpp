@@ -78,8 +78,9 @@ int run_grade(const GradeOptions& options) {
   const ProjectFolders folders = project_folders();
   const std::vector<CourseStep> course = read_course(folders.step_flags());
   const TemporaryFolder copies("atelier-submission");
+  const fs::path skeletons = is_release() ? folders.skeletons() : folders.root / "steps";
   const grade::Submission submission =
-      grade::take_submission(judge::read_step_flags(folders.step_flags()), source, copies.path() / "files");
+      grade::take_submission(judge::read_step_flags(folders.step_flags()), source, copies.path() / "files", skeletons);
   const fs::path out = options.out.empty() ? folders.out() / "grade" / submission.name : fs::absolute(options.out);
 
   const sandbox::Tier tier = sandbox::choose_tier(sandbox::find_possible_tiers(), options.sandbox);

@@ -211,20 +211,19 @@ class ClassFinder {
 
   /// Gives what could not be unpacked to the student whose it is; a person must look at what could hold steps.
   void report_unusable() {
-    std::map<fs::path, HandedIn*> owners;
+    std::map<fs::path, std::vector<HandedIn*>> owners;  // several of a group
     for (HandedIn& handed : class_.submissions)
-      for (const fs::path& source : handed.sources) owners[source] = &handed;
+      for (const fs::path& source : handed.sources) owners[source].push_back(&handed);
     const ListedNames names(flags_);
     for (const auto& [path, why] : unusable_) {
       const std::string name = path.filename().string(), sentence = shown_entry(name) + " " + why;
       fs::path of = path;
       while (!owners.contains(of) && of != of.parent_path()) of = of.parent_path();
-      if (!owners.contains(of))
-        class_.ignored.push_back(sentence);
-      else if (of == path || has_archive_name(name) || !names.find(name).empty() || flags_.files.contains(name))
-        owners[of]->needs_human.push_back(sentence);
-      else
-        owners[of]->notes.push_back(sentence);
+      if (!owners.contains(of)) class_.ignored.push_back(sentence);
+      const bool could_be_steps =
+          of == path || has_archive_name(name) || !names.find(name).empty() || flags_.files.contains(name);
+      for (HandedIn* owner : owners[of]) std::erase(owner->sources, path);  // else it would be missing too
+      for (HandedIn* owner : owners[of]) (could_be_steps ? owner->needs_human : owner->notes).push_back(sentence);
     }
   }
 

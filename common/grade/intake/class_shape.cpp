@@ -20,6 +20,17 @@ bool is_document(const std::string& name) {
   return endings.contains(lower_case(fs::path(name).extension().string()));
 }
 
+bool is_source(const std::string& name) {
+  static const std::set<std::string> endings = {".cpp", ".cc",  ".cxx",  ".c",    ".hpp",  ".hh",
+                                                ".h",   ".inl", ".glsl", ".vert", ".frag", ".comp"};
+  return endings.contains(lower_case(fs::path(name).extension().string()));
+}
+
+bool is_text(const std::string& name) {
+  static const std::set<std::string> endings = {"", ".txt", ".md", ".html", ".htm"};
+  return endings.contains(lower_case(fs::path(name).extension().string()));
+}
+
 bool is_number(const std::string& name) {
   return without_archive_endings(name).find_first_not_of("0123456789") == std::string::npos;
 }
@@ -30,17 +41,24 @@ void look_at(const judge::StepFlags& flags, const ListedNames& names, const std:
     entry.has_steps = true;
     if (std::ranges::find(entry.steps, step) == entry.steps.end()) entry.steps.push_back(step);
   };
-  std::string name;
+  const bool is_folder = path.ends_with('/');
+  std::string name = is_folder ? "" : fs::path(path).filename().string();
+  const std::string listed = is_folder ? "" : names.find(uploaded_name(name));
+  const bool of_step = !listed.empty() && names.tells_step(listed);
+  bool given = false;
   for (const fs::path& part : fs::path(path)) {
     if (part.empty()) break;  // of a folder's slash
     name = part.string();
     if (name == ".git") entry.has_repository = true;
-    if (is_folder_of_tools(name) || is_name_of_given(name)) return;
-    if (flags.files.contains(name)) add_step(name);
+    if (is_folder_of_tools(name)) return;
+    given |= is_name_of_given(name);
+    if (!given && flags.files.contains(name)) add_step(name);
   }
-  const bool is_folder = path.ends_with('/');
-  const std::string listed = is_folder ? "" : names.find(uploaded_name(name));
-  if (!listed.empty() && names.tells_step(listed)) add_step(*names.steps_with(listed).begin());
+  entry.has_step_files |= of_step;
+  entry.only_texts &= is_folder || is_text(name) || is_litter(path);
+  if (given) return;
+  entry.has_source |= !is_folder && (of_step || is_source(name));
+  if (of_step) add_step(*names.steps_with(listed).begin());
   entry.has_archive |= !is_folder && has_archive_name(name);
   entry.has_document |= !is_folder && is_document(name);
 }
@@ -57,7 +75,8 @@ Persons persons_in(const judge::StepFlags& flags, const ClassEntries& entries) {
     const bool single_file = !entry.is_folder && !has_archive_name(name);
     const bool of_step = std::ranges::any_of(
         flags.files, [&](const auto& step) { return !is_number(name) && is_like_step(name, step.first); });
-    if (is_name_of_work(name) || of_step || single_file || !entry.may_be_handed_in()) continue;
+    const bool of_person = entry.may_be_handed_in() || (entry.is_folder && entry.only_texts);
+    if (is_name_of_work(name) || of_step || single_file || !of_person) continue;
     persons.names.insert(lower_case(split_version(name).base));
     persons.any_with_steps |= entry.has_steps || entry.has_archive;
   }

@@ -22,6 +22,9 @@ struct ClassEntry {
   bool has_archive = false;        ///< it is an archive or contains one
   bool has_document = false;       ///< it is a document (PDF, Office) or contains one
   bool has_repository = false;     ///< .git is in it
+  bool has_step_files = false;     ///< a file that only one step lists, also in what compilers make
+  bool has_source = false;         ///< source code of any name, not in what compilers make or the course gives
+  bool only_texts = true;          ///< nothing is in it, or texts, which may be the platform's
   std::vector<std::string> steps;  ///< the steps of which it has something
   bool may_be_handed_in() const { return has_steps || has_archive || has_document; }
 };
@@ -43,7 +46,8 @@ struct ClassShape {
 /// - if at least half of the files have names of Canvas, of several students or where no step lies beside them;
 /// - if several entries may be students', and any of them has steps or is an archive. No student's are those with names
 ///   of versions ("v1", "old", "ada (2)" beside "ada"), of parts of one's work ("hw1", "src") or of what the course
-///   gives, and those without steps, archives and documents. A folder that holds steps itself is no such class.
+///   gives, and those with files of other kinds only, such as pictures; a folder with nothing or only texts may be a
+///   student's who has handed in nothing. A folder that holds steps itself is no such class.
 /// Behind single folders it is looked for on.
 std::optional<ClassShape> find_class(const judge::StepFlags& flags, const std::vector<std::string>& paths);
 

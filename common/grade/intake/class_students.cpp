@@ -36,6 +36,14 @@ std::optional<std::regex> compile(const std::string& pattern) {
   }
 }
 
+/// Whether an entry whose name tells no student could be somebody's work, also in a folder named as a compiler's.
+bool could_be_work(const ClassItem& item) {
+  const ClassEntry& entry = item.entry;
+  if (is_name_of_course(item.name)) return false;
+  if (is_name_of_given(item.name)) return entry.has_step_files;
+  return entry.may_be_handed_in() || entry.has_source || item.name.find("_assignsubmission_") != std::string::npos;
+}
+
 /// What all clones' names begin with, up to a '-': "homework-".
 std::string common_prefix(const std::vector<ClassItem>& items) {
   std::optional<std::string> prefix;
@@ -80,6 +88,7 @@ void ClassStudents::add(const ClassItems& items) {
 
 std::vector<HandedIn> ClassStudents::hand_in(std::vector<std::string>& ignored) {
   add_texts();
+  hand_in_unnamed();
   doubt_cases();
   std::vector<HandedIn> submissions;
   std::set<std::string> ids;
@@ -97,6 +106,24 @@ void ClassStudents::ignore(const ClassItem& item, const std::string& why) {
   ignored_.push_back(fmt::format("{} {}", shown_label(item.relative), why));
 }
 
+void ClassStudents::add_unnamed(const ClassItem& item, const std::string& why) {
+  if (could_be_work(item))
+    unnamed_.emplace_back(item, why);
+  else
+    ignore(item, why);
+}
+
+/// Where no entry names a student, the naming is wrong, and nothing is handed in.
+void ClassStudents::hand_in_unnamed() {
+  const bool any_named = !students_.empty();
+  for (const auto& [item, why] : unnamed_)
+    if (any_named)
+      gather("unnamed/" + item.relative, without_archive_endings(item.name), "", item)
+          .needs_human.push_back(fmt::format("'{}' {}; whose is it?", shown_label(item.relative), why));
+    else
+      ignore(item, why);
+}
+
 ClassStudents::Gathered& ClassStudents::gather(const std::string& key, const std::string& name,
                                                const std::string& identifier, const ClassItem& item,
                                                std::uint64_t order) {
@@ -110,14 +137,14 @@ ClassStudents::Gathered& ClassStudents::gather(const std::string& key, const std
 void ClassStudents::add_by_pattern(const ClassItem& item) {
   std::smatch match;
   if (!std::regex_match(item.name, match, *pattern_))
-    return ignore(item, fmt::format("does not match the pattern '{}'", shown_label(pattern_text_)));
+    return add_unnamed(item, fmt::format("does not match the pattern '{}'", shown_label(pattern_text_)));
   const std::string name = match[1].str(), identifier = match.size() > 2 ? match[2].str() : "";
   gather("pattern/" + name + "/" + identifier, name, identifier, item);
 }
 
 void ClassStudents::add_moodle(const ClassItem& item) {
   const auto found = moodle_name(item.name);
-  if (!found) return ignore(item, "has no name of Moodle: NAME_NUMBER_assignsubmission_file_");
+  if (!found) return add_unnamed(item, "is not named as Moodle names folders, NAME_NUMBER_assignsubmission_file_");
   const std::string key = "moodle/" + found->name + "/" + found->identifier;
   if (!found->is_text) {
     gather(key, found->name, found->identifier, item);
@@ -129,7 +156,7 @@ void ClassStudents::add_moodle(const ClassItem& item) {
 
 void ClassStudents::add_canvas(const ClassItem& item) {
   const auto found = canvas_name(item.name);
-  if (!found) return ignore(item, "has no name of Canvas: NAME_NUMBER_NUMBER_FILE");
+  if (!found) return add_unnamed(item, "is not named as Canvas names files, NAME_NUMBER_NUMBER_FILE");
   Gathered& gathered = gather("canvas/" + found->identifier, found->name, found->identifier, item, found->order);
   gathered.late |= found->late;
 }
@@ -137,27 +164,41 @@ void ClassStudents::add_canvas(const ClassItem& item) {
 void ClassStudents::add_gradescope(const ClassItem& item, const ClassItems& all) {
   const auto found = gradescope_name(item.name);
   if (!found && item.name == gradescope_metadata) return;
-  if (!found) return ignore(item, "has no name of Gradescope: submission_NUMBER");
+  if (!found) return add_unnamed(item, "is not named as Gradescope names folders, submission_NUMBER");
   const auto known = all.metadata.find(item.name);
   const GradescopeSubmission about = known == all.metadata.end() ? GradescopeSubmission{} : known->second;
-  Gathered& gathered = gather("gradescope/" + found->identifier, about.name,
-                              about.identifier.empty() ? found->identifier : about.identifier, item);
-  gathered.handed_in = about.created;
-  if (about.name.empty()) gathered.notes.push_back(fmt::format("{} does not name the student", gradescope_metadata));
+  std::vector<GradescopeSubmitter> submitters = about.submitters;
+  if (submitters.empty()) submitters.emplace_back();
+  std::vector<std::string> group;
+  for (std::size_t i = 0; i < submitters.size(); ++i) {
+    const auto& [name, identifier] = submitters[i];
+    group.push_back(name.empty() ? fmt::format("student {}", i + 1) : shown_label(name));
+  }
+  for (std::size_t i = 0; i < submitters.size(); ++i) {
+    const auto& [name, identifier] = submitters[i];
+    const bool unknown = identifier.empty() && submitters.size() == 1;
+    Gathered& gathered = gather(fmt::format("gradescope/{}/{}", found->identifier, i), name,
+                                unknown ? found->identifier : identifier, item);
+    gathered.handed_in = about.created;
+    if (name.empty()) gathered.notes.push_back(fmt::format("{} does not name the student", gradescope_metadata));
+    if (submitters.size() > 1)
+      gathered.notes.push_back(fmt::format("{} is of a group: {}", shown_label(item.relative), join(group)));
+  }
 }
 
 void ClassStudents::add_github(const ClassItem& item, const std::string& prefix) {
-  if (!item.entry.is_folder && !has_archive_name(item.name)) return ignore(item, "is no clone");
+  if (!item.entry.is_folder && !has_archive_name(item.name)) return add_unnamed(item, "is no clone");
   const std::string name = without_archive_endings(item.name);
   const std::string login = name.starts_with(prefix) && name != prefix ? name.substr(prefix.size()) : name;
   gather("github/" + login, "", login, item);
 }
 
 void ClassStudents::add_folder(const ClassItem& item, const ClassItems& all, const std::map<std::string, int>& bases) {
-  if (!item.entry.is_folder && !has_archive_name(item.name)) return ignore(item, "is neither a folder nor an archive");
+  if (!item.entry.is_folder && !has_archive_name(item.name))
+    return add_unnamed(item, "is neither a folder nor an archive");
+  if (is_name_of_given(item.name)) return add_unnamed(item, "is named as a folder of the course or a compiler");
   if (item.entry.is_folder && !item.entry.may_be_handed_in() && is_name_of_work(item.name))
-    return ignore(item, "has none of the steps' files");
-  if (is_name_of_given(item.name)) return ignore(item, "is of the course or a compiler");
+    return add_unnamed(item, "has none of the steps' files");
   const std::string whole = without_archive_endings(item.name), base = split_version(item.name).base;
   const std::string name = !base.empty() && bases.at(base) > 1 ? base : whole;
   Gathered& gathered = gather("folders/" + all.group + "/" + name, name, "", item);
@@ -204,13 +245,15 @@ HandedIn ClassStudents::hand_in_one(Gathered& gathered) {
                   .notes = gathered.notes,
                   .needs_human = gathered.needs_human};
   std::vector<std::string> names;
+  for (const auto& [order, item] : items) names.push_back(item.name);
+  names = names_for_sentences(names);
   bool ordered = true, archives_or_folders = true;
   for (const auto& [order, item] : items) {
     handed.sources.push_back(item.path);
-    names.push_back("'" + shown_label(item.relative) + "'");
     ordered &= order > 0;
     archives_or_folders &= item.entry.is_folder || has_archive_name(item.name);
   }
+  for (std::string& name : names) name = "'" + shown_label(name) + "'";
   if (items.size() > 1 && archives_or_folders) {
     const std::string several =
         fmt::format("handed in {}; of a step in several, the one in {} counts", join(names), names.back());

@@ -58,6 +58,8 @@ class ClassStudents {
   Gathered& gather(const std::string& key, const std::string& name, const std::string& identifier,
                    const ClassItem& item, std::uint64_t order = 0);
   void ignore(const ClassItem& item, const std::string& why);
+  /// An entry whose name tells no student: one that could be somebody's work is for a person; else it is ignored.
+  void add_unnamed(const ClassItem& item, const std::string& why);
   void add_by_pattern(const ClassItem& item);
   void add_moodle(const ClassItem& item);
   void add_canvas(const ClassItem& item);
@@ -65,6 +67,7 @@ class ClassStudents {
   void add_github(const ClassItem& item, const std::string& prefix);
   void add_folder(const ClassItem& item, const ClassItems& all, const std::map<std::string, int>& bases);
   void add_texts();
+  void hand_in_unnamed();
   void doubt_cases();
   static HandedIn hand_in_one(Gathered& gathered);
 
@@ -72,6 +75,7 @@ class ClassStudents {
   std::string pattern_text_;
   std::map<std::string, std::pair<PlatformName, ClassItem>> texts_;  ///< typed into Moodle's page, by student
   std::map<std::string, Gathered> students_;                         ///< by what the platform tells them apart
+  std::vector<std::pair<ClassItem, std::string>> unnamed_;           ///< work whose student is unknown, and why
   std::vector<std::string> ignored_;
 };
 

@@ -32,7 +32,9 @@ std::string ListedNames::find(const std::string& name) const {
   const std::filesystem::path path = name;
   const std::string stem = path.stem().string(), ending = path.extension().string();
   if (std::string found = known(without_copy_number(stem) + ending); !found.empty()) return found;
-  return {};
+  if (lower_case(ending) != ".txt") return {};
+  if (std::string found = known(without_copy_number(stem)); !found.empty()) return found;
+  return stem.size() < name.size() ? find(stem) : std::string();
 }
 
 const std::set<std::string>& ListedNames::steps_with(const std::string& listed) const {

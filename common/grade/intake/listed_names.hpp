@@ -17,7 +17,8 @@ class ListedNames {
   explicit ListedNames(const judge::StepFlags& flags);
 
   /// The listed name that a file's name stands for: itself, in another case, or with what browsers and course platforms
-  /// add to a second copy ("light (1).cpp", "light-1.cpp", "light - Copy.cpp"). Empty if it stands for none.
+  /// add to a second copy ("light (1).cpp", "light-1.cpp", "light - Copy.cpp"), or with the ending of a text behind it
+  /// ("light.cpp.txt"), as editors add it where the system hides endings. Empty if it stands for none.
   std::string find(const std::string& name) const;
 
   /// The steps that list a name; empty: none.

@@ -120,6 +120,17 @@ std::string uploaded_name(const std::string& entry) {
   return canvas ? canvas->file : entry;
 }
 
+std::vector<std::string> names_for_sentences(const std::vector<std::string>& entries) {
+  std::vector<std::string> names;
+  for (const std::string& entry : entries) {
+    const auto moodle = moodle_name(entry);
+    names.push_back(moodle && moodle->file.empty() && !moodle->name.empty() ? moodle->name : uploaded_name(entry));
+  }
+  std::vector<std::string> sorted = names;
+  std::ranges::sort(sorted);
+  return std::ranges::adjacent_find(sorted) == sorted.end() ? names : entries;
+}
+
 std::map<std::string, GradescopeSubmission> read_gradescope_metadata(const std::filesystem::path& file) {
   constexpr std::size_t most_bytes = 64 << 20;
   const std::string text = read_file(file, most_bytes);
@@ -143,11 +154,11 @@ std::map<std::string, GradescopeSubmission> read_gradescope_metadata(const std::
       if (const auto created = value("  :created_at:")) current->created = seconds_of(*created);
     } else if (in_submitters) {
       auto name = value("  - :name:"), number = value("    :sid:"), address = value("    :email:");
-      if (name && !name->empty()) current->name += (current->name.empty() ? "" : ", ") + *name;
-      if (number && !number->empty() &&
-          (current->identifier.empty() || current->identifier.find('@') != std::string::npos))
-        current->identifier = *number;
-      if (address && current->identifier.empty()) current->identifier = *address;
+      auto& submitters = current->submitters;
+      if (line.starts_with("  - ") || submitters.empty()) submitters.emplace_back();
+      if (name) submitters.back().name = *name;
+      if (number && !number->empty()) submitters.back().identifier = *number;
+      if (address && submitters.back().identifier.empty()) submitters.back().identifier = *address;
     }
   }
   return found;

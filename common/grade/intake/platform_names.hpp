@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace atelier::grade {
 
@@ -31,12 +32,20 @@ std::optional<PlatformName> gradescope_name(const std::string& entry);
 /// The name that an uploaded file had: "light.cpp" for "lovelaceada_123_456_light.cpp". Other names are unchanged.
 std::string uploaded_name(const std::string& entry);
 
+/// The names for sentences about several entries of a student: as uploaded, where that tells them apart, and otherwise
+/// whole. That of Moodle's folder for a student is the student's.
+std::vector<std::string> names_for_sentences(const std::vector<std::string>& entries);
+
 inline constexpr const char* gradescope_metadata = "submission_metadata.yml";
 
+struct GradescopeSubmitter {
+  std::string name;        ///< empty: not in the file
+  std::string identifier;  ///< the student number, or else the e-mail address; empty: not in the file
+};
+
 struct GradescopeSubmission {
-  std::string name;        ///< of all submitters: "Ada Lovelace, Charles Babbage"; empty: not in the file
-  std::string identifier;  ///< the first submitter's student number, or e-mail address; empty: not in the file
-  std::optional<std::int64_t> created;  ///< seconds since 1970, UTC
+  std::vector<GradescopeSubmitter> submitters;  ///< several of a group
+  std::optional<std::int64_t> created;          ///< seconds since 1970, UTC
 };
 
 /// Reads who submitted what from submission_metadata.yml, by "submission_123456". What is not as Gradescope writes it

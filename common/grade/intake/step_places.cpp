@@ -83,13 +83,15 @@ int depth_of(const std::string& folder) {
 
 class StepFinder {
  public:
-  StepFinder(const judge::StepFlags& flags, const SourceFiles& files) : flags_(flags), names_(flags), files_(files) {}
+  StepFinder(const judge::StepFlags& flags, const SourceFiles& files, const Compare& compare)
+      : flags_(flags), names_(flags), files_(files), compare_(compare) {}
 
   StepPlaces find() {
     list_folders();
     find_candidates();
     take_holder();
     take_others();
+    prefer_changed();
     report_skipped();
     report_unused();
     return std::move(places_);
@@ -98,15 +100,28 @@ class StepFinder {
  private:
   using Listed = std::map<std::string, std::string>;  ///< paths by listed name
 
+  Against compare(const std::string& path, const std::string& step, const std::string& listed) const {
+    return compare_ ? compare_(files_.files.at(path), step, listed) : Against::changed;
+  }
+
+  /// Whether the second of two files for one name is work on a step, and the first is none.
+  bool is_work_beside_skeleton(const std::string& path, const std::string& other, const std::string& listed) const {
+    return compare_ && std::ranges::any_of(names_.steps_with(listed), [&](const std::string& step) {
+             return compare(path, step, listed) == Against::skeleton &&
+                    compare(other, step, listed) == Against::changed;
+           });
+  }
+
   /// The listed files of each folder. Of several that stand for one name, such as "light.cpp" and "light (1).cpp", the
-  /// one with the exact name counts.
+  /// one with the exact name counts, unless it alone is as in the skeleton.
   void list_folders() {
     for (const auto& [path, file] : files_.files) {
       const std::string name = last_part(path), listed = names_.find(name);
       auto& [folder, paths] = *folders_.try_emplace(parent_of(path)).first;
       const auto [at, fresh] = paths.try_emplace(listed, path);
       if (fresh) continue;
-      const bool better = name == listed || (last_part(at->second) != listed && is_older(at->second, path));
+      bool better = name == listed || (last_part(at->second) != listed && is_older(at->second, path));
+      if (is_work_beside_skeleton(better ? path : at->second, better ? at->second : path, listed)) better = !better;
       const std::string loser = better ? at->second : path;
       if (better) at->second = path;
       places_.ignored.push_back(fmt::format("{}: {} counts", shown_path(loser), shown_path(last_part(at->second))));
@@ -216,6 +231,45 @@ class StepFinder {
     take(found[0]);
   }
 
+  /// Takes a step from a changed copy, where that in its place is as in the skeleton or cannot be used.
+  void prefer_changed() {
+    if (!compare_) return;
+    for (const auto& [step, files] : flags_.files) {
+      const auto found = places_.steps.find(step);
+      if (found == places_.steps.end() || found->second.changed) continue;
+      const StepPlace before = found->second;
+      std::vector<const Candidate*> changed;
+      for (const Candidate& c : candidates_)
+        if (c.step == step && c.folder != before.folder && is_changed(c)) changed.push_back(&c);
+      if (changed.empty()) continue;
+      const bool any_exact = std::ranges::any_of(changed, [](const Candidate* c) { return c->fit == Fit::exact; });
+      take_nearest(step, [&](const Candidate& c) {
+        return c.folder != before.folder && (!any_exact || c.fit == Fit::exact) && is_changed(c);
+      });
+      StepPlace& place = places_.steps.at(step);
+      for (const auto& [file, path] : before.files) place.files.try_emplace(file, path);
+      const std::string chosen = shown_folder(place.folder);
+      places_.notes.push_back(fmt::format("{} {} in {}; the changed one in {} counts", step,
+                                          before.untouched ? "is as in the skeleton" : "has no usable file",
+                                          shown_folder(before.folder), chosen));
+      if (depth_of(place.folder) >= of_given)
+        places_.needs_human.push_back(
+            fmt::format("{} is taken from {}, which is named as a folder of the course or a compiler", step, chosen));
+      if (changed.size() > 1)
+        places_.needs_human.push_back(
+            fmt::format("{} has {} changed copies; the one in {} counts", step, changed.size(), chosen));
+    }
+  }
+
+  /// Whether a folder has work on the step: a file of its own that differs from the skeleton.
+  bool is_changed(const Candidate& c) const {
+    return std::ranges::any_of(folders_.at(c.folder), [&](const auto& file) {
+      return names_.steps_with(file.first).contains(c.step) &&
+             (c.fit != Fit::by_files || names_.tells_step(file.first)) &&
+             compare(file.second, c.step, file.first) == Against::changed;
+    });
+  }
+
   /// Whether two folders have a file of the step in common, so that they are versions and not parts.
   bool overlap(const Candidate& a, const Candidate& b) const {
     const Listed &first = folders_.at(a.folder), &second = folders_.at(b.folder);
@@ -234,6 +288,13 @@ class StepFinder {
         place.files[file] = elsewhere;
     }
     for (const auto& [file, path] : place.files) place.exact &= path == c.folder + "/" + file;
+    std::size_t as_given = 0;
+    for (const auto& [file, path] : place.files) {
+      const Against against = compare(path, c.step, file);
+      as_given += against == Against::skeleton;
+      place.changed |= against == Against::changed;
+    }
+    place.untouched = as_given > 0 && as_given == place.files.size();
     places_.steps[c.step] = place;
     placed_[c.step] = c;
   }
@@ -317,11 +378,31 @@ class StepFinder {
     for (const auto& [folder, listed] : folders_)
       for (const auto& [file, path] : listed)
         if (!used.contains(path)) places_.ignored.push_back(shown_path(path));
+    for (auto& [step, place] : places_.steps)
+      if (place.untouched) list_elsewhere(step, place, used);
+  }
+
+  /// Files beside an untouched step that could be work on it: with a listed name, or with one that begins like it, such
+  /// as "light_solved.cpp".
+  void list_elsewhere(const std::string& step, StepPlace& place, const std::set<std::string>& used) const {
+    for (const auto& [path, file] : files_.files) {
+      const std::string listed = names_.find(last_part(path));
+      if (!used.contains(path) && names_.steps_with(listed).contains(step) &&
+          compare(path, step, listed) != Against::skeleton)
+        place.elsewhere.push_back(shown_path(path));
+    }
+    for (const std::string& path : files_.others)
+      if (depth_of(parent_of(path)) < of_given && std::ranges::any_of(flags_.files.at(step), [&](const std::string& f) {
+            const std::string stem = f.substr(0, f.find('.'));
+            return names_.tells_step(f) && lower_case(last_part(path)).find(lower_case(stem)) != std::string::npos;
+          }))
+        place.elsewhere.push_back(shown_path(path));
   }
 
   const judge::StepFlags& flags_;
   ListedNames names_;
   const SourceFiles& files_;
+  const Compare& compare_;
   std::map<std::string, Listed> folders_;
   std::map<std::string, std::string> doubles_;  ///< by the path that counts, one that does not
   std::vector<Candidate> candidates_;
@@ -359,8 +440,8 @@ bool is_like_step(const std::string& name, const std::string& step) {
   return !number.empty() && number == number_in(step) && prefixes.contains(letters);
 }
 
-StepPlaces find_steps(const judge::StepFlags& flags, const SourceFiles& files) {
-  return StepFinder(flags, files).find();
+StepPlaces find_steps(const judge::StepFlags& flags, const SourceFiles& files, const Compare& compare) {
+  return StepFinder(flags, files, compare).find();
 }
 
 }  // namespace atelier::grade

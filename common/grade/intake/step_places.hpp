@@ -4,9 +4,11 @@
 // is looked for by the files that a step lists: in folders with a similar name ("blinn-phong", "02_blinn_phong",
 // "Step02", "2"), in any folder that has a file which only this step lists, and so also at the top. Of several places
 // the nearest to the top counts; of two equally near, that of the newer version by their names
-// (grade/intake/version_names.hpp), and a person must look at it.
+// (grade/intake/version_names.hpp), and a person must look at it. A copy that differs from the skeleton counts before
+// an untouched one, wherever both are.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -32,6 +34,9 @@ struct StepPlace {
   std::string folder;                        ///< relative; empty: the top
   bool exact = false;                        ///< the folder has the step's name and directly in it all of its files
   std::map<std::string, std::string> files;  ///< relative paths by listed name
+  bool untouched = false;                    ///< it has files, all as in the skeleton
+  bool changed = false;                      ///< it has a usable file that is not as in the skeleton
+  std::vector<std::string> elsewhere;  ///< if untouched: other files that could be work on the step; printable paths
 };
 
 struct StepPlaces {
@@ -44,6 +49,13 @@ struct StepPlaces {
   std::string two_folders;                     ///< "'hw1' and 'hw2'" if both hold folders of steps, equally near
 };
 
-StepPlaces find_steps(const judge::StepFlags& flags, const SourceFiles& files);
+/// A file that is used for a step, compared with the one that students are given.
+enum class Against { skeleton, changed, unusable };
+
+/// Compares a file for one of the step's listed names.
+using Compare = std::function<Against(const SourceFile& file, const std::string& step, const std::string& listed)>;
+
+/// Without `compare`, no file is known to be untouched.
+StepPlaces find_steps(const judge::StepFlags& flags, const SourceFiles& files, const Compare& compare = {});
 
 }  // namespace atelier::grade

@@ -43,6 +43,26 @@ struct Version {
   StepPlaces places;
 };
 
+/// The bytes of a file that may be a student's; empty, with the reason in `why`: it is unusable.
+std::string usable_bytes(const SourceFile& file, std::string& why) {
+  why = file.why_unusable;
+  if (why.empty() && !file.at.empty()) why = judge::why_unusable(file.at);
+  if (!why.empty()) return "";
+  return file.at.empty() ? file.bytes : read_file(file.at);
+}
+
+/// Compares with SKELETONS/NN-name/FILE; nothing to compare with if `skeletons` is empty.
+Compare compare_with(const fs::path& skeletons) {
+  if (skeletons.empty()) return {};
+  return [skeletons](const SourceFile& file, const std::string& step, const std::string& listed) {
+    std::string why;
+    const std::string bytes = usable_bytes(file, why);
+    const fs::path skeleton = skeletons / step / listed;
+    if (!why.empty() || !convert_text(bytes).why_no_text.empty() || bytes.empty()) return Against::unusable;
+    return fs::exists(skeleton) && are_same_text(bytes, read_file(skeleton)) ? Against::skeleton : Against::changed;
+  };
+}
+
 class SubmissionTaker {
  public:
   SubmissionTaker(const judge::StepFlags& flags, const fs::path& folder) : flags_(flags) {
@@ -59,12 +79,26 @@ class SubmissionTaker {
     for (const auto& [step, place] : version.places.steps) {
       const auto earlier = versions_.find(step);
       if (earlier != versions_.end() && place.files.empty()) continue;  // an empty folder is no newer version
+      for (const std::string& path : place.elsewhere) elsewhere_[step].push_back(path);
+      if (earlier != versions_.end() && place.untouched && changed_.contains(step)) {
+        note(fmt::format("{} is as in the skeleton in {}; the changed one in {} counts", step, version.name,
+                         earlier->second));
+        need_human(
+            fmt::format("{} was handed in changed in {} and later, in {}, as in the skeleton; the changed one "
+                        "counts, unless the student meant to withdraw it",
+                        step, earlier->second, version.name));
+        continue;
+      }
       if (earlier != versions_.end()) {
         taken_.notes.push_back(
             fmt::format("{} is in {} too; the newer in {} counts", step, earlier->second, version.name));
         fs::remove_all(taken_.folder / step);
       }
       versions_[step] = version.name;
+      if (place.changed)
+        changed_.insert(step);
+      else
+        changed_.erase(step);
       taken_.skipped.erase(step);
       taken_.present.insert(step);
       take_step(version, step, place);
@@ -79,6 +113,12 @@ class SubmissionTaker {
   void need_human(const std::string& sentence) { taken_.needs_human.push_back(sentence); }
   void note(const std::string& sentence) { taken_.notes.push_back(sentence); }
 
+  /// Notes what could not be read beside steps; a person must look at it if one of these is untouched.
+  void note_unread(const std::string& sentence) {
+    note(sentence);
+    unread_.push_back(sentence);
+  }
+
   Submission finish(const fs::path& skeletons) {
     say_line_ends("CRLF"), say_line_ends("CR");
     for (const std::string& step : taken_.present) {
@@ -86,8 +126,18 @@ class SubmissionTaker {
       for (const std::string& file : flags_.files.at(step))
         if (fs::exists(taken_.folder / step / file)) files.push_back(file);
       taken_.taken.push_back(fmt::format("{}: {}", step, files.empty() ? "none of its files" : join(files)));
-      if (is_untouched(step, files, skeletons)) taken_.untouched.insert(step);
+      if (!is_untouched(step, files, skeletons)) continue;
+      taken_.untouched.insert(step);
+      if (!elsewhere_[step].empty()) {
+        shorten_list(elsewhere_[step], most_named);
+        need_human(fmt::format("{} is as in the skeleton, but {} could be work on it", step, join(elsewhere_[step])));
+      }
     }
+    if (!taken_.untouched.empty())
+      for (const std::string& sentence : unread_)
+        need_human(fmt::format("{}, while {} as in the skeleton", sentence,
+                               taken_.untouched.size() > 1 ? fmt::format("{} steps are", taken_.untouched.size())
+                                                           : *taken_.untouched.begin() + " is"));
     for (const auto& [step, files] : taken_.unusable)
       for (const auto& [file, why] : files) need_human(fmt::format("{}/{} {}", step, file, why));
     for (const auto& [step, why] : taken_.skipped) need_human(step + " " + why);
@@ -119,10 +169,9 @@ class SubmissionTaker {
 
   /// Copies a file as a compiler reads it. Returns why it is unusable; empty: it is usable.
   std::string take_file(const SourceFile& found, const std::string& step, const std::string& file) {
-    if (!found.why_unusable.empty()) return found.why_unusable;
-    if (!found.at.empty())
-      if (const std::string why = judge::why_unusable(found.at); !why.empty()) return why;
-    const ConvertedText converted = convert_text(found.at.empty() ? found.bytes : read_file(found.at));
+    std::string why_not;
+    const ConvertedText converted = convert_text(usable_bytes(found, why_not));
+    if (!why_not.empty()) return why_not;
     if (!converted.why_no_text.empty()) return converted.why_no_text;
     const fs::path copy = taken_.folder / step / file;
     write_file(copy, std::string_view(converted.text));
@@ -160,18 +209,22 @@ class SubmissionTaker {
     });
   }
 
+  static constexpr std::size_t most_named = 5;  // files in one sentence
+
   const judge::StepFlags& flags_;
   Submission taken_;
-  std::map<std::string, std::string> versions_;             ///< by step, the version that counts
-  std::map<std::string, std::set<std::string>> line_ends_;  ///< files, by the line ends that they had
+  std::map<std::string, std::string> versions_;                ///< by step, the version that counts
+  std::map<std::string, std::set<std::string>> line_ends_;     ///< files, by the line ends that they had
+  std::set<std::string> changed_;                              ///< steps with a file that is not as in the skeleton
+  std::map<std::string, std::vector<std::string>> elsewhere_;  ///< by step, files that could be work on it
+  std::vector<std::string> unread_;
 };
 
-Version read_version(const judge::StepFlags& flags, const fs::path& source) {
+Version read_version(const judge::StepFlags& flags, const fs::path& source, const Compare& compare) {
   Version version;
-  version.name = shown_name(fs::weakly_canonical(source).filename().string());
   if (fs::is_directory(source)) version.folder = source;
   version.files = read_source(flags, source);
-  version.places = find_steps(flags, version.files);
+  version.places = find_steps(flags, version.files, compare);
   return version;
 }
 
@@ -215,47 +268,65 @@ bool is_folder_of_one_step(const judge::StepFlags& flags, const Version& version
 }
 
 /// Reads one of several versions; what is wrong with it goes to those who must look at it.
-void take_version(const judge::StepFlags& flags, const fs::path& source, SubmissionTaker& taker) {
-  const std::string name = shown_name(source.filename().string());
+void take_version(const judge::StepFlags& flags, const fs::path& source, const std::string& name,
+                  const Compare& compare, SubmissionTaker& taker) {
   Version version;
   try {
-    version = read_version(flags, source);
+    version = read_version(flags, source, compare);
   } catch (const std::exception& error) {  // also of the file system: the source may have names that it refuses
     std::string what = error.what();
     if (what.starts_with(source.string() + ": ")) what.erase(0, source.string().size() + 2);
     taker.need_human(fmt::format("{} {}", name, shorten(printable(what), 300)));
     return;
   }
+  version.name = name;
   taker.take(version);
   for (const std::string& sentence : version.files.unread)
     if (version.places.steps.empty())
       taker.need_human(name + ": " + sentence);
     else
-      taker.note(sentence);
+      taker.note_unread(sentence);
   if (version.places.steps.empty() && version.files.unread.empty())
-    taker.need_human(fmt::format("{} has none of the steps{}", name, what_is_there(version.files)));
+    taker.need_human(version.files.files.empty() && version.files.others.empty() && version.files.notes.empty()
+                         ? name + " is empty: nothing was handed in"
+                         : fmt::format("{} has none of the steps{}", name, what_is_there(version.files)));
 }
 
 /// Takes single files together, as if they lay in one folder. Returns the names of files that no step lists.
-void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>& files, SubmissionTaker& taker) {
+void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>& files, const Compare& compare,
+                      SubmissionTaker& taker) {
   const ListedNames names(flags);
   std::map<std::string, fs::path> by_name;
   std::vector<std::string> others;
   for (const fs::path& file : files) {
-    const std::string shown = shown_name(file.filename().string()), uploaded = uploaded_name(file.filename().string());
+    const std::string uploaded = uploaded_name(file.filename().string()), shown = shown_name(uploaded);
     const std::string listed = names.find(uploaded);
     if (listed.empty()) {
       others.push_back(shown);
       continue;
     }
-    if (const auto [at, fresh] = by_name.insert_or_assign(listed, file); !fresh)
-      taker.note(fmt::format("{} was handed in twice; {} counts", listed, shown));
+    const auto [at, fresh] = by_name.try_emplace(listed, file);
+    if (fresh) continue;
+    const std::string before = shown_name(uploaded_name(at->second.filename().string()));
+    const auto all_are = [&](const fs::path& path, Against against) {
+      const SourceFile one{.at = path, .bytes = {}, .why_unusable = {}};
+      return compare && std::ranges::all_of(names.steps_with(listed), [&](const std::string& step) {
+               return compare(one, step, listed) == against;
+             });
+    };
+    if (all_are(file, Against::skeleton) && all_are(at->second, Against::changed)) {
+      taker.need_human(fmt::format("{} was handed in twice; {}, the later, is as in the skeleton, and {} counts",
+                                   listed, shown, before));
+      continue;
+    }
+    at->second = file;
+    taker.note(fmt::format("{} was handed in twice; {} counts", listed, shown));
   }
   Version version;
   version.name = "single files";
   version.files = read_loose_files(flags, {by_name.begin(), by_name.end()});
   version.files.others = others;
-  version.places = find_steps(flags, version.files);
+  version.places = find_steps(flags, version.files, compare);
   taker.take(version);
   if (by_name.empty() && taker.so_far().present.empty())
     taker.need_human(fmt::format("has {}, but none of the steps' files", join(others)));
@@ -263,9 +334,10 @@ void take_loose_files(const judge::StepFlags& flags, const std::vector<fs::path>
 
 }  // namespace
 
-Submission take_submission(const judge::StepFlags& flags, const fs::path& source, const fs::path& folder) {
+Submission take_submission(const judge::StepFlags& flags, const fs::path& source, const fs::path& folder,
+                           const fs::path& skeletons) {
   if (!fs::exists(source)) throw Error(fmt::format("{}: there is no such folder or archive", source.string()));
-  const Version version = read_version(flags, source);
+  const Version version = read_version(flags, source, compare_with(skeletons));
   if (!version.places.two_folders.empty())
     throw Error(
         fmt::format("{}: has steps in two folders, {}; name one of them", source.string(), version.places.two_folders));
@@ -288,22 +360,26 @@ Submission take_submission(const judge::StepFlags& flags, const fs::path& source
 Submission take_submission(const judge::StepFlags& flags, const std::vector<fs::path>& sources, const fs::path& folder,
                            const fs::path& skeletons) {
   SubmissionTaker taker(flags, folder);
+  const Compare compare = compare_with(skeletons);
   std::vector<fs::path> loose;
-  for (const fs::path& source : sources) {
+  std::vector<std::string> names;
+  for (const fs::path& source : sources) names.push_back(source.filename().string());
+  const std::vector<std::string> shown = names_for_sentences(names);
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const fs::path& source = sources[i];
     std::error_code error;
     const fs::file_type type = fs::symlink_status(source, error).type();
-    const std::string name = source.filename().string();
-    if (type == fs::file_type::directory || (type == fs::file_type::regular && has_archive_name(name)))
-      take_version(flags, source, taker);
+    if (type == fs::file_type::directory || (type == fs::file_type::regular && has_archive_name(names[i])))
+      take_version(flags, source, shown_name(shown[i]), compare, taker);
     else if (type == fs::file_type::regular)
       loose.push_back(source);
     else
-      taker.need_human(fmt::format("{} {}", shown_name(name),
+      taker.need_human(fmt::format("{} {}", shown_name(shown[i]),
                                    type == fs::file_type::not_found ? judge::is_missing
                                    : type == fs::file_type::symlink ? judge::is_link
                                                                     : "is neither a folder nor a regular file"));
   }
-  if (!loose.empty()) take_loose_files(flags, loose, taker);
+  if (!loose.empty()) take_loose_files(flags, loose, compare, taker);
   Submission submission = taker.finish(skeletons);
   submission.name = sources.empty() ? "submission" : name_of(sources.back());
   return submission;

@@ -37,14 +37,16 @@ inline constexpr std::size_t max_notes = 20;  ///< if there are more, the last e
 /// any of its listed files. Texts become UTF-8 with LF (grade/intake/text_conversion.hpp), with a note. Throws Error
 /// naming `source` if it is missing, cannot be read, is the folder of one step, has steps in two folders side by side,
 /// or has none of the steps; the message says what was found instead.
+/// Of a step in several places, a copy that is not as in SKELETONS/NN-name/ counts first; `skeletons` may be empty.
 Submission take_submission(const judge::StepFlags& flags, const std::filesystem::path& source,
-                           const std::filesystem::path& folder);
+                           const std::filesystem::path& folder, const std::filesystem::path& skeletons = {});
 
 /// The same of several versions that one student has handed in, the newest last: folders, archives and single files.
 /// Of a step in several, the last one's files count, with a note; single files count together as one version, the last.
 /// A step of which all present files are as in SKELETONS/NN-name/, up to line ends, encoding and blanks at the ends of
-/// lines, is untouched; `skeletons` may be empty. Whatever is in the sources, nothing is thrown: what cannot be read
-/// or is in doubt is in `needs_human`. Throws Error only if `folder` cannot be written.
+/// lines, is untouched, and counts only where no changed copy is, in any version; a person must look at it if a file
+/// beside it could be work on the step. `skeletons` may be empty. Whatever is in the sources, nothing is thrown: what
+/// cannot be read or is in doubt is in `needs_human`. Throws Error only if `folder` cannot be written.
 Submission take_submission(const judge::StepFlags& flags, const std::vector<std::filesystem::path>& sources,
                            const std::filesystem::path& folder, const std::filesystem::path& skeletons = {});
 

@@ -173,19 +173,17 @@ bool is_name_of_given(const std::string& name) {
                                               "x64",
                                               "x86",
                                               "obj",
-                                              "cmake",
                                               "cmakefiles",
-                                              "tests",
-                                              "test",
-                                              "handouts",
-                                              "skeletons",
-                                              "solutions",
-                                              "given",
-                                              "common",
                                               "ipch",
                                               "cmake-build-debug",
                                               "cmake-build-release",
                                               "node_modules"};
+  return words.contains(lower_case(name)) || is_name_of_course(name);
+}
+
+bool is_name_of_course(const std::string& name) {
+  static const std::set<std::string> words = {"cmake",     "tests",     "test",  "handouts",
+                                              "skeletons", "solutions", "given", "common"};
   return words.contains(lower_case(name));
 }
 

@@ -32,4 +32,7 @@ bool is_name_of_work(const std::string& name);
 /// Whether a name is that of what compilers make or the course gives ("build", "x64", "skeletons").
 bool is_name_of_given(const std::string& name);
 
+/// Whether a name is that of what the course gives ("skeletons"), and not of what a compiler makes ("build").
+bool is_name_of_course(const std::string& name);
+
 }  // namespace atelier::grade

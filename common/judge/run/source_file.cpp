@@ -43,6 +43,7 @@ std::string why_unusable(const fs::path& path) {
   if (type != fs::file_type::regular) return fmt::format("is a {}, not a regular file", kind_name(type));
   const auto size = fs::file_size(path, error);
   if (!error && size > source_limit) return is_too_large();
+  if (!error && size == 0 && path.extension() != ".txt") return is_empty;
   if (error || ::access(path.c_str(), R_OK) != 0)
     return "cannot be read: " + (error ? error.message() : system_reason());
   std::string begin(seal_length, ' ');

@@ -217,7 +217,7 @@ TEST_CASE("what a platform says about a student is kept") {
     const ClassFolder found = delivery.find();
     CHECK(found.submissions[0].student.name == "Ada");
     CHECK(found.submissions[0].handed_in == 9);
-    CHECK(any_says(found.ignored, "notes has no name of Gradescope"));
+    CHECK(any_says(found.ignored, "notes is not named as Gradescope"));
   }
   {
     const Delivery delivery({{"\x1b[2J\u202e_1_assignsubmission_file_/move.cpp", "m"}}, false);
@@ -238,16 +238,17 @@ TEST_CASE("several files of one student on Canvas: the platform's order decides"
   const ClassFolder found = delivery.find();
   REQUIRE(ids_of(found) == Ids{"ada-1", "bob-2", "carl-3"});
   CHECK(found.submissions[0].needs_human.empty());
-  CHECK(any_says(found.submissions[0].notes, "the one in 'ada_1_10_hw-1.zip' counts, the newest"));
+  CHECK(any_says(found.submissions[0].notes,
+                 "handed in 'hw.zip', 'hw-1.zip'; of a step in several, the one in 'hw-1.zip' counts, the newest"));
   const Submission ada = delivery.take(found.submissions[0]);
   CHECK(read_file(ada.folder / "01-move/move.cpp") == "new");
   CHECK(read_file(ada.folder / "03-cast-shadows/shadows.cpp") == "old");
-  CHECK(any_says(ada.notes, "01-move is in ada_1_9_hw.zip too; the newer in ada_1_10_hw-1.zip counts"));
+  CHECK(any_says(ada.notes, "01-move is in hw.zip too; the newer in hw-1.zip counts"));
   CHECK(ada.needs_human.empty());
   const Submission bob = delivery.take(found.submissions[1]);
   CHECK(bob.present == std::set<std::string>{"02-light-up"});
   CHECK(bob.unusable.empty());
-  CHECK(any_says(delivery.take(found.submissions[2]).needs_human, "has carl_3_1_report.pdf, but none of the steps'"));
+  CHECK(any_says(delivery.take(found.submissions[2]).needs_human, "has report.pdf, but none of the steps'"));
 }
 
 TEST_CASE("versions of one student beside each other are one submission, for a person to look at") {
@@ -270,7 +271,75 @@ TEST_CASE("a text on Moodle's page is no file; of who has nothing else a person 
   REQUIRE(ids_of(found) == Ids{"ada-1", "bob-2"});
   CHECK(found.submissions[0].needs_human.empty());
   CHECK(any_says(found.submissions[1].needs_human, "a text on Moodle's page"));
-  CHECK(any_says(found.ignored, "grades.csv has no name of Moodle"));
+  CHECK(any_says(found.ignored, "grades.csv is not named as Moodle"));
+}
+
+TEST_CASE("work whose student is unknown is a submission for a person to look at") {
+  struct Row {
+    std::vector<Member> members;  ///< the last ones are no work
+    Ids ids;
+    std::string needs_human;  ///< of the first
+  };
+  const std::string moodle = "_assignsubmission_file_";
+  const Row rows[] = {
+      {{{"Ada_1" + moodle + "/move.cpp", "m"}, {"A Late (by email)/main.cpp", "m"}, {"readme.txt", "x"}},
+       {"a-late-by-email", "ada-1"},
+       "'A Late (by email)' is not named as Moodle names folders"},
+      {{{"Dora_1" + moodle + "/move.cpp", "m"}, {"Carl" + moodle + "/x.txt", "m"}, {"skeletons/move.cpp", "x"}},
+       {"carl-assignsubmission-file", "dora-1"},
+       "whose is it?"},
+      {{{"dora_1_2_move.cpp", "m"}, {"emil_3_4_move.cpp", "m"}, {"carl.pdf", "x"}, {"grades.csv", "x"}},
+       {"carl.pdf", "dora-1", "emil-3"},
+       "'carl.pdf' is not named as Canvas names files"},
+      {{{"submission_2/move.cpp", "m"}, {"carl.rar", "Rar!"}, {"pictures/a.png", "x"}},
+       {"carl", "2"},
+       "'carl.rar' is not named as Gradescope names folders"},
+      {{{"emil/move.cpp", "m"}, {"dora/move.cpp", "m"}, {"Build/01-move/move.cpp", "m"}, {"out/a.o", "x"}},
+       {"build", "dora", "emil"},
+       "'Build' is named as a folder of the course or a compiler"},
+  };
+  for (const Row& row : rows) {
+    INFO(row.members[0].name);
+    const ClassFolder found = Delivery(row.members, false).find();
+    Ids ids = ids_of(found);
+    std::ranges::sort(ids);
+    Ids wanted = row.ids;
+    std::ranges::sort(wanted);
+    CHECK(ids == wanted);
+    const auto of = std::ranges::find(found.submissions, row.ids[0], [](const HandedIn& h) { return h.student.id; });
+    REQUIRE(of != found.submissions.end());
+    CHECK(any_says(of->needs_human, row.needs_human));
+  }
+}
+
+TEST_CASE("each student of a group on Gradescope has handed in") {
+  const Delivery delivery({{"submission_metadata.yml",
+                            "---\nsubmission_1:\n  :submitters:\n  - :name: Ada\n    :sid: 11\n"
+                            "  - :name: Bob\n    :sid: 12\n  :created_at: 1970-01-01 00:00:09 Z\n"},
+                           {"submission_1/01-move/move.cpp", "m"}},
+                          false);
+  const ClassFolder found = delivery.find();
+  REQUIRE(ids_of(found) == Ids{"ada-11", "bob-12"});
+  for (const HandedIn& handed : found.submissions) {
+    CHECK(handed.sources == std::vector<fs::path>{delivery.source / "submission_1"});
+    CHECK(handed.handed_in == 9);
+    CHECK(any_says(handed.notes, "submission_1 is of a group: Ada, Bob"));
+  }
+}
+
+TEST_CASE("a class of which one student has handed in steps is a class") {
+  for (const char* text : {"bob/", "bob/readme.txt"}) {
+    INFO(text);
+    const Delivery delivery({{"ada/01-move/move.cpp", "m"}}, false);
+    fs::create_directories(delivery.source / "bob");
+    if (!std::string_view(text).ends_with('/')) write_file(delivery.source / text, std::string_view("x"));
+    CHECK(delivery.is_class());
+    const ClassFolder found = delivery.find();
+    REQUIRE(ids_of(found) == Ids{"ada", "bob"});
+    CHECK_FALSE(delivery.take(found.submissions[1]).needs_human.empty());
+  }
+  const Delivery pictures({{"ada/01-move/move.cpp", "m"}, {"holiday/a.png", "x"}}, false);
+  CHECK_FALSE(pictures.is_class());
 }
 
 TEST_CASE("one student's broken archive is no other's problem") {
@@ -306,7 +375,7 @@ TEST_CASE("one student's broken archive is no other's problem") {
   CHECK(why(6).starts_with("gus.zip is empty (0 bytes)"));
   CHECK(why(7) == "01-move/move.cpp is a symbolic link, which is not followed");
   CHECK(why(8).starts_with("ines: hw.rar is a RAR archive"));
-  CHECK(why(9) == "nobody has none of the steps");
+  CHECK(why(9) == "nobody is empty: nothing was handed in");
   CHECK(any_says(found.ignored, "zoe is a symbolic link, which is not followed"));
   CHECK(any_says(found.ignored, "readme.txt is neither a folder nor an archive"));
 }
@@ -319,11 +388,11 @@ TEST_CASE("an instructor's pattern names the students") {
     const Delivery delivery(members, packed);
     const ClassFolder found = delivery.find({.pattern = R"(hw2_([a-z]+)_(\d+)(?:\.zip)?)"});
     CHECK(found.platform == "pattern");
-    REQUIRE(ids_of(found) == Ids{"ada-11", "bob-12"});
+    REQUIRE(ids_of(found) == Ids{"ada-11", "bob-12", "other"});
     CHECK(found.submissions[0].student.name == "ada");
     CHECK(found.submissions[0].student.identifier == "11");
-    CHECK(any_says(found.ignored, "other does not match the pattern"));
-    CHECK(ids_of(delivery.find({.pattern = "hw2_([a-z]+).*"})) == Ids{"ada", "bob"});
+    CHECK(any_says(found.submissions[2].needs_human, "'other' does not match the pattern"));
+    CHECK(ids_of(delivery.find({.pattern = "hw2_([a-z]+).*"})) == Ids{"ada", "bob", "other"});
     CHECK(mentions(error_of([&] { delivery.find({.pattern = "("}); }), {"'('", "no regular expression"}));
     CHECK(mentions(error_of([&] { delivery.find({.pattern = "hw"}); }), {"'hw'", "one group"}));
     CHECK(mentions(error_of([&] { delivery.find({.pattern = "(nothing)"}); }),
@@ -365,6 +434,14 @@ TEST_CASE("the archive of a class can do no harm") {
   CHECK(any_says(found.ignored, "../outside.txt leads out"));
   CHECK(any_says(found.submissions[1].needs_human, "01-move is a symbolic link"));
   CHECK(any_says(found.submissions[2].notes, "has a name that this system cannot store"));
+}
+
+TEST_CASE("what a class's archive does not give up is said once") {
+  const Delivery delivery({{"ada.zip", move_zip()}, {"bob.zip", move_zip()}, {"dora.zip", "", "/etc/passwd"}}, true);
+  const ClassFolder found = delivery.find();
+  REQUIRE(ids_of(found) == Ids{"ada", "bob", "dora"});
+  CHECK(found.submissions[2].needs_human.size() == 1);
+  CHECK(delivery.take(found.submissions[2]).needs_human.empty());
 }
 
 TEST_CASE("a student's folder cannot pass for several students") {

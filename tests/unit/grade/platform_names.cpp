@@ -42,6 +42,14 @@ TEST_CASE("uploaded files have the names that they had") {
   CHECK(uploaded_name("light_up.cpp") == "light_up.cpp");
 }
 
+TEST_CASE("sentences name entries as they were uploaded, where that tells them apart") {
+  using Names = std::vector<std::string>;
+  CHECK(names_for_sentences({"ada_1_2_hw.zip", "ada_1_3_hw-1.zip"}) == Names{"hw.zip", "hw-1.zip"});
+  CHECK(names_for_sentences({"ada_1_2_hw.zip", "ada_1_3_hw.zip"}) == Names{"ada_1_2_hw.zip", "ada_1_3_hw.zip"});
+  CHECK(names_for_sentences({"Ada L_1_assignsubmission_file_"}) == Names{"Ada L"});
+  CHECK(names_for_sentences({"submission_1"}) == Names{"submission_1"});
+}
+
 TEST_CASE("Gradescope's metadata name the students") {
   const TemporaryFolder folder;
   write_file(folder.path() / gradescope_metadata, std::string_view(R"(---
@@ -73,12 +81,16 @@ submission_333:
 )"));
   const auto found = read_gradescope_metadata(folder.path() / gradescope_metadata);
   REQUIRE(found.size() == 3);
-  CHECK(found.at("submission_111").name == "Ada Lovelace");
-  CHECK(found.at("submission_111").identifier == "12 34");
+  REQUIRE(found.at("submission_111").submitters.size() == 1);
+  CHECK(found.at("submission_111").submitters[0].name == "Ada Lovelace");
+  CHECK(found.at("submission_111").submitters[0].identifier == "12 34");
   CHECK(found.at("submission_111").created == 1709677800);
-  CHECK(found.at("submission_222").name == "Bob \"B\" O'Neil, Carl 'C'");
-  CHECK(found.at("submission_222").identifier == "77");
+  REQUIRE(found.at("submission_222").submitters.size() == 2);
+  CHECK(found.at("submission_222").submitters[0].name == "Bob \"B\" O'Neil");
+  CHECK(found.at("submission_222").submitters[0].identifier == "bob@example.org");
+  CHECK(found.at("submission_222").submitters[1].name == "Carl 'C'");
+  CHECK(found.at("submission_222").submitters[1].identifier == "77");
   CHECK(found.at("submission_222").created == 86401);
-  CHECK(found.at("submission_333").name == "");
+  CHECK(found.at("submission_333").submitters.empty());
   CHECK_FALSE(found.at("submission_333").created);
 }

@@ -67,6 +67,11 @@ TEST_CASE("a step is found by its files, in a folder and in an archive, and said
       {"any name", {{"src/light.cpp", "c"}, {"src/light.glsl", "g"}}, light, "02-light-up is read from 'src'", ""},
       {"no folder", {{"light.cpp", "c"}, {"light.glsl", "g"}}, light, "02-light-up is read from the top", ""},
       {"capitals in files", {{"02-light-up/Light.CPP", "c"}, {"02-light-up/light.GLSL", "g"}}, light, "Light.CPP", ""},
+      {"endings that the system hides",
+       {{"02-light-up/light.cpp.txt", "c"}, {"02-light-up/light.glsl (1).txt", "g"}},
+       light,
+       "02-light-up/light.cpp is read from '02-light-up/light.cpp.txt'",
+       ""},
       {"a browser's second copy",
        {{"02-light-up/light (1).cpp", "c"}, {"02-light-up/light-2.glsl", "g"}},
        light,
@@ -172,6 +177,32 @@ TEST_CASE("a file that a compiler wants is named once: of two copies one counts,
   const Submission taken = take_submission(three_steps, folder.path() / "ada", folder.path() / "copy");
   CHECK(copied(taken) == Copied{{"01-move/move.cpp", "a"}});
   CHECK(any_mentions(taken.needs_human, "'01-move/move (1).cpp' stands for 01-move/move.cpp too"));
+}
+
+TEST_CASE("a text beside the file that it could be is not read, and a person is asked") {
+  const TemporaryFolder folder;
+  write_members(folder.path() / "ada", {{"01-move/move.cpp", "a"}, {"01-move/move.cpp.txt", "b"}});
+  const Submission taken = take_submission(three_steps, folder.path() / "ada", folder.path() / "copy");
+  CHECK(copied(taken) == Copied{{"01-move/move.cpp", "a"}});
+  CHECK(any_mentions(taken.needs_human, "'01-move/move.cpp.txt' stands for 01-move/move.cpp too"));
+}
+
+TEST_CASE("an empty file of code is unusable, empty choices are not") {
+  const std::vector<Member> members = {{"01-move/move.cpp", ""},
+                                       {"02-light-up/light.cpp", "\xef\xbb\xbf"},
+                                       {"02-light-up/light.glsl", "g"},
+                                       {"02-light-up/choices.txt", ""}};
+  const TemporaryFolder folder;
+  write_members(folder.path() / "ada", members);
+  write_archive(folder.path() / "bob.zip", members);
+  for (const char* name : {"ada", "bob.zip"}) {
+    INFO(name);
+    const Submission taken = take_submission(three_steps, folder.path() / name, folder.path() / "copy" / name);
+    CHECK(taken.unusable ==
+          std::map<std::string, judge::UnusableFiles>{{"01-move", {{"move.cpp", "is empty (0 bytes)"}}},
+                                                      {"02-light-up", {{"light.cpp", "is empty (0 bytes)"}}}});
+    CHECK(any_mentions(taken.needs_human, "01-move/move.cpp is empty (0 bytes)"));
+  }
 }
 
 TEST_CASE("several versions in one folder: the newer by its name counts, and a person is asked") {

@@ -85,6 +85,92 @@ TEST_CASE("skeletons that nobody has touched are named, up to line ends, marks a
   CHECK(take_versions(folder.path(), {"ada"}, skeletons).untouched == std::set<std::string>{"01-move"});
 }
 
+TEST_CASE("a changed copy counts before an untouched one, wherever both are") {
+  const TemporaryFolder skeletons;
+  write_file(skeletons.path() / "01-move/move.cpp", std::string_view("given\n"));
+  write_file(skeletons.path() / "02-light-up/light.cpp", std::string_view("c\n"));
+  write_file(skeletons.path() / "02-light-up/light.glsl", std::string_view("g\n"));
+  for (const char* solved :
+       {"01-move (solved)/move.cpp", "01-move - Kopie/move.cpp", "move/move.cpp", "move.cpp", "01-move/src/move.cpp",
+        "my/deep/folder/01-move/move.cpp", "01-move/move (1).cpp", "solution.zip", "build/move.cpp"})
+    for (const char* front : {"", "steps/"}) {
+      INFO(front << solved);
+      const TemporaryFolder folder;
+      write_file(folder.path() / "ada" / front / "01-move/move.cpp", std::string_view("given\r\n"));
+      const fs::path file = folder.path() / "ada" / solved;
+      if (file.extension() == ".zip")
+        write_archive(file, {{"move.cpp", "solved"}});
+      else
+        write_file(file, std::string_view("solved"));
+      const Submission taken = take_versions(folder.path(), {"ada"}, skeletons.path());
+      CHECK(taken.untouched.empty());
+      CHECK(read_file(taken.folder / "01-move/move.cpp") == "solved");
+      CHECK_FALSE(taken.notes.empty());
+      if (std::string_view(solved).starts_with("build/")) CHECK_FALSE(taken.needs_human.empty());
+    }
+  const TemporaryFolder folder;
+  write_file(folder.path() / "ada/02-light-up/light.cpp", std::string_view("c\n"));
+  write_file(folder.path() / "ada/02-light-up/light.glsl", std::string_view("g\n"));
+  write_file(folder.path() / "ada/light.cpp", std::string_view("solved"));
+  const Submission taken = take_versions(folder.path(), {"ada"}, skeletons.path());
+  CHECK(read_file(taken.folder / "02-light-up/light.cpp") == "solved");
+  CHECK(read_file(taken.folder / "02-light-up/light.glsl") == "g\n");
+}
+
+TEST_CASE("of two folders of steps the one with changed files counts, step by step, also if its name is older") {
+  const TemporaryFolder folder;
+  const fs::path skeletons = folder.path() / "skeletons", ada = folder.path() / "ada";
+  for (const char* file : {"01-move/move.cpp", "03-cast-shadows/shadows.cpp"})
+    for (const fs::path& place : {skeletons, ada / "v1", ada / "v2"})
+      write_file(place / file, std::string_view("given\n"));
+  write_file(ada / "v1/01-move/move.cpp", std::string_view("solved"));
+  write_file(ada / "v2/03-cast-shadows/shadows.cpp", std::string_view("solved too"));
+  const Submission taken = take_versions(folder.path(), {"ada"}, skeletons);
+  CHECK(taken.untouched.empty());
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "solved");
+  CHECK(read_file(taken.folder / "03-cast-shadows/shadows.cpp") == "solved too");
+  CHECK_FALSE(taken.needs_human.empty());
+}
+
+TEST_CASE("a person is told of files beside an untouched step") {
+  const TemporaryFolder folder;
+  const fs::path skeletons = folder.path() / "skeletons", ada = folder.path() / "ada";
+  write_file(skeletons / "01-move/move.cpp", std::string_view("given\n"));
+  write_file(ada / "01-move/move.cpp", std::string_view("given\n"));
+  write_file(ada / "copy/move.cpp", std::string_view("given\n"));
+  CHECK(take_versions(folder.path(), {"ada"}, skeletons).needs_human.empty());
+  write_file(ada / "mine/move_solved.cpp", std::string_view("m"));
+  write_file(ada / "solved.rar", std::string_view("Rar!\x1a\x07"));
+  const Submission taken = take_versions(folder.path(), {"ada"}, skeletons);
+  CHECK(taken.untouched == std::set<std::string>{"01-move"});
+  REQUIRE(taken.needs_human.size() == 2);
+  CHECK(taken.needs_human[0] == "01-move is as in the skeleton, but mine/move_solved.cpp could be work on it");
+  CHECK(taken.needs_human[1].starts_with("solved.rar is a RAR archive"));
+  CHECK(taken.needs_human[1].ends_with(", while 01-move is as in the skeleton"));
+}
+
+TEST_CASE("the skeleton handed in after a changed step does not count, and a person is asked") {
+  const TemporaryFolder folder;
+  const fs::path skeletons = folder.path() / "skeletons";
+  write_file(skeletons / "01-move/move.cpp", std::string_view("given\n"));
+  write_archive(folder.path() / "1.zip", {{"01-move/move.cpp", "solved"}});
+  write_archive(folder.path() / "2.zip", {{"01-move/move.cpp", "given"}});
+  const Submission taken = take_versions(folder.path(), {"1.zip", "2.zip"}, skeletons);
+  CHECK(taken.untouched.empty());
+  CHECK(read_file(taken.folder / "01-move/move.cpp") == "solved");
+  CHECK(taken.notes == Sentences{"01-move is as in the skeleton in 2.zip; the changed one in 1.zip counts"});
+  CHECK(taken.needs_human ==
+        Sentences{"01-move was handed in changed in 1.zip and later, in 2.zip, as in the skeleton; the changed one "
+                  "counts, unless the student meant to withdraw it"});
+  write_file(folder.path() / "move.cpp", std::string_view("solved"));
+  write_file(folder.path() / "move-1.cpp", std::string_view("given"));
+  const Submission loose = take_versions(folder.path(), {"move.cpp", "move-1.cpp"}, skeletons);
+  CHECK(read_file(loose.folder / "01-move/move.cpp") == "solved");
+  CHECK(loose.needs_human ==
+        Sentences{"move.cpp was handed in twice; move-1.cpp, the later, is as in the skeleton, and "
+                  "move.cpp counts"});
+}
+
 TEST_CASE("nothing in the sources is an exception") {
   const TemporaryFolder folder;
   write_file(folder.path() / "a.rar", std::string_view("Rar!"));
@@ -98,7 +184,7 @@ TEST_CASE("nothing in the sources is an exception") {
   CHECK(taken.needs_human[0].starts_with("a.rar is a RAR archive"));
   CHECK(taken.needs_human[1] == "nowhere is missing");
   CHECK(taken.needs_human[2] == "link is a symbolic link, which is not followed");
-  CHECK(taken.needs_human[3] == "empty has none of the steps");
+  CHECK(taken.needs_human[3] == "empty is empty: nothing was handed in");
   REQUIRE(taken.notes.size() == 1);
   CHECK(taken.notes[0].starts_with("big.zip 02-light-up/light.cpp inflates to more than 200 times"));
   CHECK(take_versions(folder.path(), {}).present.empty());
