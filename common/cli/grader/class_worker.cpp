@@ -234,7 +234,9 @@ class ClassWorker {
     record.seed = seed_for(handed_in, submission);
     graded.result = grader_.grade(submission, record.seed, {.interrupted = [&] { return stop_.requested(); }});
     graded.result.may_grow = true;
+    // The student reads too what a person must decide.
     append(graded.result.notes, handed_in.notes);
+    append(graded.result.notes, submission.needs_human);
     graded.result.submission = handed_in.student.name.empty() ? handed_in.student.id : handed_in.student.name;
     for (const judge::StepResult& step : graded.result.steps) {
       const StepRecord::State state = state_of(submission, step);

@@ -114,7 +114,6 @@ judge::SubmissionResult SubmissionGrader::grade(const grade::Submission& submiss
   result.submission = submission.name;
   result.environment = environment_;
   result.notes = submission.notes;
-  result.notes.insert(result.notes.end(), submission.needs_human.begin(), submission.needs_human.end());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     if (is_there(folders_, steps_[i].name, Owner::solution))
       result.seed = seed;
