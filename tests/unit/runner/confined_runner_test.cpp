@@ -31,7 +31,17 @@ std::vector<Answer> ask(const sandbox::Sandbox& sandbox, const std::vector<std::
   return run_cases(settings, cases);
 }
 
+/// AddressSanitizer reserves more address space than a confined program gets, so what is built with it cannot start.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool can_start_here = false;
+#elif defined(__has_feature)
+constexpr bool can_start_here = !__has_feature(address_sanitizer);
+#else
+constexpr bool can_start_here = true;
+#endif
+
 bool works(Tier tier) {
+  if (!can_start_here) return false;
   static const sandbox::Possible possible = sandbox::find_possible_tiers();
   return (tier == Tier::full ? possible.why_not_full : possible.why_not_account).empty();
 }
