@@ -185,7 +185,7 @@ std::vector<VaryRow> vary_step(const ProjectFolders& folders, const CourseStep& 
   std::mutex mutex;
   for_each_parallel(contenders.size(), worker_threads(), [&](std::size_t k) {
     const auto& [name, kind, make, asked] = contenders[k];
-    answer(workshop, make(), drawn, asked, [&](std::size_t i, const Answer& given) {
+    answer(workshop, make(), drawn, asked, [&, &name = name, kind = kind](std::size_t i, const Answer& given) {
       Found& here = found[drawn[i].varied.of];
       try {
         const double tolerances = distance(drawn[i], name, given);

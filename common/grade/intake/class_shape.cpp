@@ -74,7 +74,7 @@ Persons persons_in(const judge::StepFlags& flags, const ClassEntries& entries) {
   for (const auto& [name, entry] : entries) {
     const bool single_file = !entry.is_folder && !has_archive_name(name);
     const bool of_step = std::ranges::any_of(
-        flags.files, [&](const auto& step) { return !is_number(name) && is_like_step(name, step.first); });
+        flags.files, [&name = name](const auto& step) { return !is_number(name) && is_like_step(name, step.first); });
     const bool of_person = entry.may_be_handed_in() || (entry.is_folder && entry.only_texts);
     if (is_name_of_work(name) || of_step || single_file || !of_person) continue;
     persons.names.insert(lower_case(split_version(name).base));
@@ -99,7 +99,7 @@ bool are_steps(const judge::StepFlags& flags, const ClassEntries& entries) {
   std::size_t like = 0, folders = 0;
   for (const auto& [name, entry] : entries) {
     folders += entry.is_folder;
-    like += entry.is_folder && std::ranges::any_of(flags.files, [&](const auto& step) {
+    like += entry.is_folder && std::ranges::any_of(flags.files, [&name = name, &entry = entry](const auto& step) {
               return is_like_step(name, step.first) && std::ranges::find(entry.steps, step.first) != entry.steps.end();
             });
   }

@@ -45,7 +45,8 @@ class SourceReader {
     if (entries_ > limits_.entries)
       found_.unread.push_back(fmt::format("only the first {} entries are read", limits_.entries));
     for (const auto& [path, file] : archives_)
-      if (broken_ < limits_.broken_archives) try_archive(path, file.string(), [&] { read_members(file, path, 1); });
+      if (broken_ < limits_.broken_archives)
+        try_archive(path, file.string(), [&, &path = path, &file = file] { read_members(file, path, 1); });
     return std::move(found_);
   }
 
@@ -161,7 +162,7 @@ class SourceReader {
     }
     for (const auto& [path, bytes] : inner) {
       if (broken_ >= limits_.broken_archives) break;
-      try_archive(path, path, [&] {
+      try_archive(path, path, [&, &path = path, &bytes = bytes] {
         read_with(path, level + 1, [&](const auto&... arguments) { return read_archive(path, bytes, arguments...); });
       });
     }

@@ -157,7 +157,8 @@ class StepFinder {
       } else {
         for (const auto& [step, files] : flags_.files)
           if (is_like_step(name, step) && has_some(listed, step)) steps.insert(step);
-        if (steps.size() > 1) std::erase_if(steps, [&](const std::string& step) { return !tells(listed, step); });
+        if (steps.size() > 1)
+          std::erase_if(steps, [&, &listed = listed](const std::string& step) { return !tells(listed, step); });
         for (const std::string& step : steps) add(step, folder, Fit::like);
       }
       for (const auto& [step, files] : flags_.files)
