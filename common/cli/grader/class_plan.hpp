@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/layout.hpp"
 #include "grade/course/course_file.hpp"
 #include "grade/intake/class_folder.hpp"
 
@@ -37,6 +38,9 @@ struct ClassPlan {
   std::optional<std::uint64_t> seed, shuffle;
   std::map<std::string, std::string> criteria;  ///< by step: a hash of all that it is judged with
 };
+
+/// The rules of a course.toml; those without one if `file` is empty. Throws as grade::read_course_file does.
+grade::CourseFile read_rules(const std::filesystem::path& file, const std::vector<CourseStep>& course);
 
 /// Throws Error if it cannot be written.
 void write_plan(const ClassPlaces& places, const ClassPlan& plan);

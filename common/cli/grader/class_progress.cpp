@@ -40,9 +40,7 @@ void ClassProgress::show() {
   since_shown_ = {};
   const std::filesystem::file_time_type written = std::filesystem::last_write_time(places_.plan());
   const std::size_t all = plan_.folder.submissions.size();
-  std::size_t graded = 0;
-  for (const grade::HandedIn& handed_in : plan_.folder.submissions)
-    graded += is_graded(places_, handed_in.student.id, written);
+  const std::size_t graded = all - ungraded(places_, plan_).size();
   if (graded == last_ || (!terminal_ && graded * 10 / all == last_ * 10 / all)) return;
   std::size_t need_human = 0;
   for (const grade::HandedIn& handed_in : plan_.folder.submissions)

@@ -91,7 +91,7 @@ class ClassWorker {
         plan_(read_plan(places_)),
         folders_(project_folders()),
         course_(read_course(folders_.step_flags())),
-        rules_(rules_of(plan_, course_)),
+        rules_(read_rules(plan_.course_file, course_)),
         grader_(folders_, course_, resolve_steps(course_, plan_.steps), settings_of(plan_, rules_)) {}
 
   void run() {
@@ -101,12 +101,6 @@ class ClassWorker {
   }
 
  private:
-  static grade::CourseFile rules_of(const ClassPlan& plan, const std::vector<CourseStep>& course) {
-    std::vector<std::string> names;
-    for (const CourseStep& step : course) names.push_back(step.name);
-    return plan.course_file.empty() ? grade::CourseFile{} : grade::read_course_file(plan.course_file, names);
-  }
-
   static GraderSettings settings_of(const ClassPlan& plan, const grade::CourseFile& rules) {
     GraderSettings settings{.context = plan.context,
                             .workers = 1,

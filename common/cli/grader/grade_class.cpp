@@ -69,12 +69,6 @@ std::vector<CourseStep> steps_of(const std::vector<CourseStep>& course, const Gr
   return steps;
 }
 
-grade::CourseFile rules_of(const GradeOptions& options, const std::vector<CourseStep>& course) {
-  std::vector<std::string> names;
-  for (const CourseStep& step : course) names.push_back(step.name);
-  return options.course.empty() ? grade::CourseFile{} : grade::read_course_file(options.course, names);
-}
-
 std::string name_of_class(const GradeOptions& options) {
   const std::string name = fs::weakly_canonical(options.submissions.front()).filename().string();
   return name.empty() ? "class" : printable(name);
@@ -173,7 +167,7 @@ int run_grade_class(const GradeOptions& options) {
   if (options.engine == "slurm") require_slurm();
   const ProjectFolders folders = project_folders();
   const std::vector<CourseStep> course = read_course(folders.step_flags());
-  const grade::CourseFile rules = rules_of(options, course);
+  const grade::CourseFile rules = read_rules(options.course, course);
   const std::vector<CourseStep> steps = steps_of(course, options, rules);
   const ClassPlaces places{options.out.empty() ? folders.out() / "grade" / name_of_class(options)
                                                : fs::absolute(options.out)};
