@@ -1,7 +1,6 @@
 #include "base/utf16.hpp"
 
 namespace atelier {
-namespace {
 
 void append_utf8(std::string& text, char32_t c) {
   const auto trailing = [&](int shift) { text += char(0x80 | ((c >> shift) & 0x3f)); };
@@ -18,8 +17,6 @@ void append_utf8(std::string& text, char32_t c) {
     trailing(12), trailing(6), trailing(0);
   }
 }
-
-}  // namespace
 
 std::optional<std::string> from_utf16(std::string_view bytes) {
   const bool low_first = bytes.starts_with("\xff\xfe"), high_first = bytes.starts_with("\xfe\xff");

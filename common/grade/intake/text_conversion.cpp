@@ -54,15 +54,7 @@ std::optional<std::string> read_utf16(std::string_view bytes) {
 
 std::string from_latin1(std::string_view bytes) {
   std::string text;
-  for (const char byte : bytes) {
-    const auto c = static_cast<unsigned char>(byte);
-    if (c < 0x80) {
-      text += byte;
-    } else {
-      text += char(0xc0 | (c >> 6));
-      text += char(0x80 | (c & 0x3f));
-    }
-  }
+  for (const char byte : bytes) append_utf8(text, static_cast<unsigned char>(byte));
   return text;
 }
 
